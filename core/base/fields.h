@@ -1,0 +1,55 @@
+// The option table convention: every option struct has one function
+//
+//   template <class O, class F> void each_field(O& options, F&& visit)
+//
+// that calls visit(name, member, FieldInfo) for each option, in order. From it come the command
+// line, its help, range checks, JSON dumps, JavaScript parsing and the playground's panel.
+// Names are lowerCamel; the command line turns them into --kebab-case.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <type_traits>
+
+#include "base/result.h"
+
+namespace lpq {
+
+struct FieldInfo {
+  double min = 0, max = 0;  // inclusive range of a number; unused for flags and choices
+  const char* unit = "";    // "length" = the caller's unit of length
+  const char* help = "";    // one sentence
+};
+
+/// Specialise for every enum used as an option: the names of its values, in order.
+template <class E>
+struct ChoiceNames;
+
+template <class E>
+const char* choice_name(E value) {
+  return ChoiceNames<E>::names[static_cast<std::size_t>(value)];
+}
+
+/// First option out of range (or NaN), if any.
+template <class O>
+Result<int> check_ranges(const O& options) {
+  Error bad;
+  bool found = false;
+  each_field(options, [&](const char* name, const auto& value, const FieldInfo& info) {
+    using T = std::remove_cvref_t<decltype(value)>;
+    if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
+      const double number = static_cast<double>(value);
+      if (found || (number >= info.min && number <= info.max)) return;
+      found = true;
+      bad.code = ErrorCode::bad_option;
+      bad.message = std::string("Option ") + name + " is " + std::to_string(number) +
+                    ", but it must lie between " + std::to_string(info.min) + " and " +
+                    std::to_string(info.max) + ".";
+    }
+  });
+  if (found) return bad;
+  return 0;
+}
+
+}  // namespace lpq

@@ -1,0 +1,77 @@
+#include "cleanup/cleanup.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cleanup/disk_patterns.h"
+#include "cleanup/ideal_valence.h"
+#include "cleanup/smooth.h"
+#include "cleanup/topology.h"
+#include "cleanup/untangle.h"
+
+namespace lpq {
+
+namespace {
+
+constexpr int steps_before = 20;    // of smoothing, before the local operations
+constexpr int largest_sweeps = 30;  // of Laplacian smoothing: it converges long before
+
+void add(const TopologyStats& topology, CleanupStats& stats) {
+  stats.diamonds += topology.diamonds;
+  stats.rotations += topology.rotations;
+  stats.splits += topology.splits;
+  stats.boundary_repairs += topology.boundary_repairs;
+}
+
+Index count_invalid(const QuadMesh& mesh) { return static_cast<Index>(invalid_faces(mesh).size()); }
+
+// Doublets, positions, and where these do not suffice new connectivity: until all faces are valid.
+void make_valid(CleanupResult& result, const Fields& fields) {
+  QuadTopology doublets(std::move(result.mesh));
+  result.stats.doublets += remove_doublets(doublets);
+  result.mesh = std::move(doublets).compact();
+  result.stats.untangled += untangle(result.mesh);
+  if (count_invalid(result.mesh) == 0) return;
+  QuadTopology topology(std::move(result.mesh));
+  const IdealValence ideal(topology);
+  DiskPatterns patterns(PatternSet::repair);
+  add(repair_invalid(topology, ideal, fields, patterns), result.stats);
+  result.mesh = std::move(topology).compact();
+  result.stats.untangled += untangle(result.mesh);
+}
+
+// Fewer irregular vertices. The shapes are smoothed first, so that what a refill would do to them
+// is compared with what they can be, not with what the matching left.
+void make_regular(CleanupResult& result, const Fields& fields, SmoothOptions smoothing) {
+  smoothing.iterations = steps_before;
+  smooth_eta(result.mesh, fields, smoothing);
+  QuadTopology topology(std::move(result.mesh));
+  const IdealValence ideal(topology);
+  DiskPatterns patterns;
+  add(regularise(topology, ideal, fields, patterns), result.stats);
+  result.mesh = std::move(topology).compact();
+}
+
+}  // namespace
+
+CleanupResult clean_up(QuadMesh mesh, const Fields& fields, const CleanupOptions& options) {
+  const SmoothOptions smoothing{.iterations = options.smoothing_iterations,
+                                .size_weight = options.size_weight,
+                                .eta_floor = options.eta_floor};
+  CleanupResult result;
+  result.mesh = std::move(mesh);
+  make_valid(result, fields);
+  if (options.topology) make_regular(result, fields, smoothing);
+  // Other connectivity, other chances.
+  if (options.topology && count_invalid(result.mesh) > 0) make_valid(result, fields);
+  result.stats.still_invalid = count_invalid(result.mesh);
+  if (result.stats.still_invalid > 0) return result;  // not worth polishing
+  if (options.smoother == Smoother::eta)
+    smooth_eta(result.mesh, fields, smoothing);
+  else
+    smooth_guarded(result.mesh, std::min(options.smoothing_iterations, largest_sweeps));
+  result.stats.still_invalid = count_invalid(result.mesh);
+  return result;
+}
+
+}  // namespace lpq

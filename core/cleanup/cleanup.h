@@ -1,0 +1,39 @@
+// After the matching: topological repairs and guarded smoothing. Boundary vertices never move,
+// walls are never crossed, and every accepted change keeps validity and does not lower the worst
+// quality of its neighbourhood.
+#pragma once
+
+#include "field/field.h"
+#include "mesh/quad_mesh.h"
+
+namespace lpq {
+
+enum class Smoother {
+  eta,        // all vertices together, for the largest sum of eta
+  laplacian,  // the paper's: each vertex to the mean of its neighbours, guarded
+};
+
+struct CleanupOptions {
+  Smoother smoother = Smoother::eta;
+  int smoothing_iterations = 100;  // of the eta optimisation, or sweeps
+  double size_weight = 0.02;       // of the edge-length term beside 1 - eta
+  double eta_floor = 0.62;         // quads below are pushed up harder
+  // Local operations for regularity. Without them only doublets are removed, and connectivity
+  // changes elsewhere only where no positions make the faces valid.
+  bool topology = true;
+};
+
+struct CleanupStats {
+  Index doublets = 0, diamonds = 0, rotations = 0, splits = 0, boundary_repairs = 0;
+  Index untangled = 0;
+  Index still_invalid = 0;  // faces that are not strictly convex; 0 is the goal
+};
+
+struct CleanupResult {
+  QuadMesh mesh;
+  CleanupStats stats;
+};
+
+CleanupResult clean_up(QuadMesh mesh, const Fields& fields, const CleanupOptions& options = {});
+
+}  // namespace lpq

@@ -1,0 +1,50 @@
+// How many quads should meet at a vertex, and how much it matters when other numbers do. Inside: 4.
+// A fixed vertex is cut by the edges of the 1D mesh into sectors; a sector of angle a should hold
+// the k quads whose common angle a/k is nearest to 90 degrees as a ratio: k quads are better than
+// k + 1 while a <= 180 k (k + 1) / (2 k + 1) degrees (switch angles 120, 216, 308.6, ...). The rule
+// always leaves room for strict convexity, a / k < 180.
+#pragma once
+
+#include <vector>
+
+#include "base/csr.h"
+#include "cleanup/quad_topology.h"
+
+namespace lpq {
+
+/// Smallest k with angle <= pi k (k + 1) / (2 k + 1); radians in (0, 2 pi].
+Index quads_for_angle(double angle);
+
+/// Interior angle at v of the sector that begins at the edge v -> from and ends at v -> to,
+/// counter-clockwise, in (0, 2 pi]; 2 pi when both are the same edge.
+double sector_angle(Vec2 v, Vec2 from, Vec2 to);
+
+/// Cost of `valence` quads where `ideal` are wanted: an interior vertex counts 1 for one quad off
+/// and more beyond; a missing quad at the boundary costs most, since it opens an angle that
+/// smoothing cannot close.
+double irregularity(Index valence, Index ideal, bool fixed);
+
+/// The sectors of all fixed vertices, from the faces once; they never change afterwards.
+class IdealValence {
+ public:
+  struct Sector {
+    Index first = none;  // the sector begins at the border edge v -> first; none: full circle
+    Index ideal = 4;
+  };
+
+  explicit IdealValence(const QuadTopology& mesh);
+
+  /// Sum over the sectors of v of irregularity(quads there, ideal).
+  double weight(const QuadTopology& mesh, Index v) const;
+  bool is_regular(const QuadTopology& mesh, Index v) const { return weight(mesh, v) == 0; }
+  /// The quads that now share the sector in which face f meets v, and the number wanted there.
+  struct Count {
+    Index quads = 0, ideal = 4;
+  };
+  Count sector_count(const QuadTopology& mesh, Index v, Index f) const;
+
+ private:
+  Csr<Sector> sectors_;  // one row per fixed vertex
+};
+
+}  // namespace lpq

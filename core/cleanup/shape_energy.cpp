@@ -1,0 +1,188 @@
+#include "cleanup/shape_energy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "numerics/elementary.h"
+
+namespace lpq {
+namespace {
+
+constexpr Evaluation refused{0, EvalStatus::outside_domain};
+// With eps = 0 a corner must keep at least this share of its face's unit of area: far above
+// rounding, far below any angle a person would accept.
+constexpr double least_corner = 1e-9;
+// The length term levels off here (edges four times too long or short): where the 1D mesh forces
+// such lengths, they must not outweigh everything else.
+constexpr double saturation = 16;
+// Keeps |d| differentiable where all four corners are right angles.
+constexpr double deviation_offset = 1e-4;
+
+// A face's edges e[k] = p[k+1] - p[k] and what both energies need of them.
+template <int N>
+struct Corners {
+  std::array<Vec2, N> edge;
+  std::array<double, N> squared;
+
+  Corners(const Face& face, std::span<const Vec2> points) {
+    for (int k = 0; k < N; ++k) {
+      edge[k] = points[face[(k + 1) % N]] - points[face[k]];
+      squared[k] = squared_length(edge[k]);
+    }
+  }
+  static constexpr int before(int k) { return (k + N - 1) % N; }
+  double area(int k) const { return cross(edge[before(k)], edge[k]); }    // |e1||e2| sin
+  double product(int k) const { return -dot(edge[before(k)], edge[k]); }  // |e1||e2| cos
+
+  // Hands the derivative by edge k to its two ends.
+  static void scatter(const Face& face, int k, Vec2 by_edge, std::span<Vec2> gradient) {
+    gradient[face[(k + 1) % N]] += by_edge;
+    gradient[face[k]] = gradient[face[k]] - by_edge;
+  }
+};
+
+// atan(t) for |t| <= 1, error below 3e-10: Chebyshev interpolation of atan(t)/t in t^2.
+double small_arc_tangent(double t) {
+  constexpr std::array<double, 11> c = {
+      0.9999999995535378,   -0.33333322488913208,   0.19999558100397521,  -0.14278576025162701,
+      0.1105077127778412,   -0.087850432880911142,  0.066852815272371913, -0.043928410811433227,
+      0.021912945885863525, -0.0070306694584457777, 0.0010576074313963289};
+  const double s = t * t;
+  double sum = c[10];
+  for (int i = 9; i >= 0; --i) sum = sum * s + c[i];
+  return sum * t;
+}
+
+double eighth_power(double x) {
+  const double x2 = x * x, x4 = x2 * x2;
+  return x4 * x4;
+}
+
+double eighth_root(double x) { return std::sqrt(std::sqrt(std::sqrt(x))); }
+
+template <int N>
+Evaluation mean_ratio_face(const Face& face, std::span<const Vec2> points, double unit,
+                           const MeanRatioOptions& options, std::span<Vec2> gradient) {
+  const Corners<N> corners(face, points);
+  const double w = options.size_weight, eps = options.epsilon;
+  std::array<Vec2, N> by_edge{};
+  double sum = 0;
+  for (int k = 0; k < N; ++k) {
+    const int b = Corners<N>::before(k);
+    const double l = (corners.squared[k] + corners.squared[b]) * unit;
+    const double j = corners.area(k) * unit;
+    if (eps == 0 && j <= least_corner) return refused;
+    const double root = std::sqrt(j * j + eps * eps);
+    // For j < 0 the difference j + root would cancel.
+    const double chi = j >= 0 ? 0.5 * (j + root) : 0.5 * eps * eps / (root - j);
+    const double inverse = 1 / chi;
+    sum += 0.5 * l * inverse + 0.5 * w * (chi + inverse);
+    const double by_l = 0.5 * inverse;
+    const double by_chi = -0.5 * l * inverse * inverse + 0.5 * w * (1 - inverse * inverse);
+    const double by_j = by_chi * chi / root;  // d chi / d j = chi / root
+    by_edge[k] += unit * (2 * by_l * corners.edge[k] + by_j * perpendicular(corners.edge[b]));
+    by_edge[b] += unit * (2 * by_l * corners.edge[b] - by_j * perpendicular(corners.edge[k]));
+  }
+  for (int k = 0; k < N; ++k) Corners<N>::scatter(face, k, by_edge[k], gradient);
+  return {sum, EvalStatus::ok};
+}
+
+template <int N>
+Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
+                    const EtaEnergyOptions& options, std::span<Vec2> gradient) {
+  constexpr double target = N == 4 ? 0.0 : 1.0 / 3.0;  // 90 or 60 degrees, from 90, over 90
+  const Corners<N> corners(face, points);
+  std::array<double, N> deviation, power;
+  double total = 0;
+  for (int k = 0; k < N; ++k) {
+    const double area = corners.area(k);
+    if (!(area > 0)) return refused;
+    const double lengths = std::sqrt(corners.squared[k] * corners.squared[Corners<N>::before(k)]);
+    const double t = corners.product(k) / (lengths + area);
+    deviation[k] = target - (4 / pi) * small_arc_tangent(t);
+    const double z = std::abs(deviation[k]) + deviation_offset;
+    power[k] = eighth_power(z);
+    total += power[k];
+    power[k] /= deviation[k] < 0 ? -z : z;  // z^7 with the sign of the deviation
+  }
+  const double e = eighth_root(total), excess = std::max(0.0, e - options.floor_deviation);
+  double sum = e + options.floor_weight * excess * excess;
+  // d sum / d alpha_k = slope power_k: an angle enters its deviation with factor 2 / pi.
+  const double slope = (1 + 2 * options.floor_weight * excess) * (e / total) * (2 / pi);
+  for (int k = 0; k < N; ++k) {
+    const double inverse = 1 / corners.squared[k], s = corners.squared[k] * unit;
+    const double inverse_s = inverse / unit;
+    const double misfit = s + inverse_s - 2, damping = 1 / (1 + misfit / saturation);
+    sum += options.size_weight * misfit * damping;
+    const double turn = slope * (power[(k + 1) % N] - power[k]) * inverse;
+    const double stretch =
+        2 * options.size_weight * unit * (1 - inverse_s * inverse_s) * damping * damping;
+    const Vec2 by_edge = turn * perpendicular(corners.edge[k]) + stretch * corners.edge[k];
+    Corners<N>::scatter(face, k, by_edge, gradient);
+  }
+  return {sum, EvalStatus::ok};
+}
+
+template <class Quad, class Triangle>
+Evaluation sum_faces(std::span<const Face> faces, std::span<const double> inverse_square, Quad quad,
+                     Triangle triangle) {
+  double sum = 0;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (inverse_square[f] == 0) continue;
+    const Evaluation one = corner_count(faces[f]) == 4 ? quad(f) : triangle(f);
+    if (one.status != EvalStatus::ok) return one;
+    sum += one.value;
+  }
+  return {sum, EvalStatus::ok};
+}
+
+template <int N>
+double smallest_corner_of(const Face& face, std::span<const Vec2> points) {
+  const Corners<N> corners(face, points);
+  double least = corners.area(0);
+  for (int k = 1; k < N; ++k) least = std::min(least, corners.area(k));
+  return least;
+}
+
+}  // namespace
+
+Evaluation mean_ratio_energy(std::span<const Face> faces, std::span<const Vec2> points,
+                             std::span<const double> inverse_square,
+                             const MeanRatioOptions& options, std::span<Vec2> gradient) {
+  return sum_faces(
+      faces, inverse_square,
+      [&](std::size_t f) {
+        return mean_ratio_face<4>(faces[f], points, inverse_square[f], options, gradient);
+      },
+      [&](std::size_t f) {
+        return mean_ratio_face<3>(faces[f], points, inverse_square[f], options, gradient);
+      });
+}
+
+Evaluation eta_energy(std::span<const Face> faces, std::span<const Vec2> points,
+                      std::span<const double> inverse_square, const EtaEnergyOptions& options,
+                      std::span<Vec2> gradient) {
+  return sum_faces(
+      faces, inverse_square,
+      [&](std::size_t f) {
+        return eta_face<4>(faces[f], points, inverse_square[f], options, gradient);
+      },
+      [&](std::size_t f) {
+        return eta_face<3>(faces[f], points, inverse_square[f], options, gradient);
+      });
+}
+
+double smallest_corner(std::span<const Face> faces, std::span<const Vec2> points,
+                       std::span<const double> inverse_square) {
+  double least = 1e300;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (inverse_square[f] == 0) continue;
+    const double area = corner_count(faces[f]) == 4 ? smallest_corner_of<4>(faces[f], points)
+                                                    : smallest_corner_of<3>(faces[f], points);
+    least = std::min(least, area * inverse_square[f]);
+  }
+  return least;
+}
+
+}  // namespace lpq

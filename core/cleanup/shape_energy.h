@@ -1,0 +1,47 @@
+// The two energies that move vertices, as kernels over flat arrays (value and gradient together):
+//   mean ratio   sum over corners of l / (2 chi) + w (chi + 1/chi) / 2, with l = (|e1|^2 +
+//   |e2|^2)/s^2,
+//                J = e1 x e2 / s^2, chi = (J + sqrt(J^2 + eps^2)) / 2   [Escobar et al. 2003]:
+//                finite on tangled faces for eps > 0, so it can untangle; s is the face's own size;
+//   eta          sum over faces of e + g max(0, e - e0)^2 plus a length term, with e the 8-norm of
+//                the corners' angle deviations |2 alpha / pi - 1|: a smooth 1 - eta, with a soft
+//                floor that pushes the worst faces harder. Length term: m / (1 + m / 16) with
+//                m = s + 1/s - 2 of the squared edge length s over h^2, which is ln^2(s) to second
+//                order without a logarithm, and bounded.
+// Corner angles come from tan(phi / 2) = dot / (|e1||e2| + cross) and one polynomial, so only
+// + - * / sqrt decide the bits. Triangles aim at 60 degrees. Cost: about 60 ns per face.
+#pragma once
+
+#include <span>
+
+#include "mesh/quad_mesh.h"
+#include "numerics/lbfgs.h"
+
+namespace lpq {
+
+struct MeanRatioOptions {
+  double epsilon = 0;        // 0: faces must be convex, otherwise outside_domain
+  double size_weight = 0.1;  // w
+};
+
+struct EtaEnergyOptions {
+  double size_weight = 0.02;      // of the length term, per edge and side
+  double floor_deviation = 0.36;  // e0 = 1 - the eta below which the floor pushes
+  double floor_weight = 100;      // g
+};
+
+/// `inverse_square[f]` is 1/s^2 of the face; 0 leaves the face out. Adds to `gradient`.
+Evaluation mean_ratio_energy(std::span<const Face> faces, std::span<const Vec2> points,
+                             std::span<const double> inverse_square,
+                             const MeanRatioOptions& options, std::span<Vec2> gradient);
+
+/// outside_domain when a corner of a face that counts is not a left turn.
+Evaluation eta_energy(std::span<const Face> faces, std::span<const Vec2> points,
+                      std::span<const double> inverse_square, const EtaEnergyOptions& options,
+                      std::span<Vec2> gradient);
+
+/// Least J of all corners of the faces that count: the measure of how tangled they are.
+double smallest_corner(std::span<const Face> faces, std::span<const Vec2> points,
+                       std::span<const double> inverse_square);
+
+}  // namespace lpq

@@ -1,0 +1,188 @@
+#include "cleanup/smooth.h"
+
+#include <algorithm>
+
+#include "cleanup/descent.h"
+#include "cleanup/mesh_part.h"
+#include "cleanup/quad_topology.h"
+#include "mesh/quality.h"
+
+namespace lpq {
+namespace {
+
+constexpr double guarded_floor = 0.5;  // faces better than this may fall to it
+constexpr double lifted_eta = 0.15;    // faces below are smoothed locally before all others
+constexpr int lifting_rings = 2, lifting_steps = 25;
+// Faces still below (needle corners) are left alone; more of them where the descent got stuck.
+constexpr double pinned_below[] = {0.02, 0.1, 0.3};
+
+// eta of quads; a triangle counts by its validity alone, a face that is not strictly convex as -1.
+double guarded_eta(const QuadMesh& mesh, const Face& face) {
+  if (!is_strictly_convex(mesh.points, face)) return -1;
+  return face[3] == none ? 1 : face_eta(mesh, face);
+}
+
+// Puts the vertices of every face that is now worse than `least` back to where they were, again and
+// again while that spoils other faces; everything goes back if this does not settle.
+void take_back(QuadMesh& mesh, const std::vector<Vec2>& before, const std::vector<double>& least) {
+  constexpr int rounds = 20;
+  for (int round = 0; round < rounds; ++round) {
+    bool spoilt = false;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      if (guarded_eta(mesh, mesh.faces[f]) >= least[f]) continue;
+      spoilt = true;
+      for (int k = 0; k < corner_count(mesh.faces[f]); ++k)
+        mesh.points[mesh.faces[f][k]] = before[mesh.faces[f][k]];
+    }
+    if (!spoilt) return;
+  }
+  mesh.points = before;
+}
+
+// Mean of the neighbours, each weighted by the length of its edge, over the faces of v.
+Vec2 weighted_mean(const QuadMesh& mesh, std::span<const Index> faces, Index v) {
+  const Vec2 p = mesh.points[v];
+  Vec2 sum;
+  double weight = 0;
+  for (const Index f : faces) {
+    const Face& face = mesh.faces[f];
+    const Index k = corner_of(face, v);
+    for (const Index w : {next_corner(face, k), prev_corner(face, k)}) {
+      const Vec2 edge = mesh.points[w] - p;
+      const double size = length(edge);
+      sum += size * edge;
+      weight += size;
+    }
+  }
+  return weight > 0 ? p + (1 / weight) * sum : p;
+}
+
+double worst_eta(const QuadMesh& mesh, std::span<const Index> faces) {
+  double worst = 1;
+  for (const Index f : faces) worst = std::min(worst, guarded_eta(mesh, mesh.faces[f]));
+  return worst;
+}
+
+std::vector<double> all_etas(const QuadMesh& mesh) {
+  std::vector<double> etas;
+  etas.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) etas.push_back(guarded_eta(mesh, face));
+  return etas;
+}
+
+// No face may end below the worst that touched it at the start, nor be asked to stay above
+// `guarded_floor`.
+std::vector<double> least_allowed(const QuadMesh& mesh, const std::vector<double>& etas) {
+  std::vector<double> at_vertex(mesh.points.size(), guarded_floor), least(mesh.faces.size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    for (int k = 0; k < corner_count(mesh.faces[f]); ++k)
+      at_vertex[mesh.faces[f][k]] = std::min(at_vertex[mesh.faces[f][k]], std::max(0.0, etas[f]));
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    least[f] = guarded_floor;
+    for (int k = 0; k < corner_count(mesh.faces[f]); ++k)
+      least[f] = std::min(least[f], at_vertex[mesh.faces[f][k]]);
+    if (etas[f] < 0) least[f] = -1;
+  }
+  return least;
+}
+
+// Nearly flat faces allow only tiny steps, and a line search over the whole mesh would have to obey
+// them all: so these are smoothed first, each with its neighbours alone.
+void lift_worst(QuadMesh& mesh, std::vector<double>& etas, const std::vector<double>& targets,
+                const EtaEnergyOptions& energy) {
+  std::vector<Index> seeds;
+  for (std::size_t f = 0; f < etas.size(); ++f)
+    if (etas[f] >= 0 && etas[f] < lifted_eta) seeds.push_back(static_cast<Index>(f));
+  if (seeds.empty()) return;
+  const Csr<Index> stars = faces_at_vertices(mesh);
+  for (const std::vector<Index>& cluster : face_clusters(mesh, stars, seeds, lifting_rings)) {
+    MeshPart part = extract_part(mesh, stars, cluster);
+    const std::vector<double> sizes = vertex_sizes(part.mesh);
+    const std::vector<double> unit = own_inverse_squares(part.mesh.faces, part.mesh.points);
+    std::vector<double> target, old;
+    for (const Index f : cluster) {
+      target.push_back(etas[f] < 0 ? 0 : targets[f]);
+      old.push_back(etas[f]);
+    }
+    descend(part.mesh, sizes, lifting_steps,
+            [&](std::span<const Vec2> points, std::span<Vec2> gradient) {
+              return mean_ratio_energy(part.mesh.faces, points, unit, {}, gradient);
+            });
+    descend(part.mesh, sizes, lifting_steps,
+            [&](std::span<const Vec2> points, std::span<Vec2> gradient) {
+              return eta_energy(part.mesh.faces, points, target, energy, gradient);
+            });
+    const std::vector<double> now = all_etas(part.mesh);
+    const auto worst = [](const std::vector<double>& e) {
+      return *std::min_element(e.begin(), e.end());
+    };
+    if (worst(now) <= worst(old)) continue;
+    put_back(part, mesh);
+    for (std::size_t i = 0; i < cluster.size(); ++i) etas[cluster[i]] = now[i];
+  }
+}
+
+// Sizes of the vertices, 0 for those of faces with eta below the bound; such faces count no more.
+std::vector<double> pin_worst(const QuadMesh& mesh, double bound, std::vector<double>& targets) {
+  std::vector<double> sizes = vertex_sizes(mesh);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (guarded_eta(mesh, mesh.faces[f]) >= bound) continue;
+    targets[f] = 0;
+    for (int k = 0; k < corner_count(mesh.faces[f]); ++k)
+      if (const Index v = mesh.faces[f][k]; v >= mesh.fixed) sizes[v - mesh.fixed] = 0;
+  }
+  return sizes;
+}
+
+}  // namespace
+
+std::vector<double> target_inverse_squares(const QuadMesh& mesh, const Fields& fields) {
+  std::vector<double> result;
+  result.reserve(mesh.faces.size());
+  Index hint = none;
+  for (const Face& face : mesh.faces) {
+    const int n = corner_count(face);
+    Vec2 sum;
+    for (int k = 0; k < n; ++k) sum += mesh.points[face[k]];
+    const double h = fields.size((1.0 / n) * sum, hint);
+    result.push_back(1 / (h * h));
+  }
+  return result;
+}
+
+void smooth_eta(QuadMesh& mesh, const Fields& fields, const SmoothOptions& options) {
+  const EtaEnergyOptions energy{.size_weight = options.size_weight,
+                                .floor_deviation = 1 - options.eta_floor};
+  std::vector<double> etas = all_etas(mesh);
+  const std::vector<double> least = least_allowed(mesh, etas);
+  const std::vector<Vec2> before = mesh.points;
+  std::vector<double> targets = target_inverse_squares(mesh, fields);
+  lift_worst(mesh, etas, targets, energy);
+  int left = options.iterations;
+  for (const double bound : pinned_below) {
+    if (left <= 0) break;
+    const std::vector<double> sizes = pin_worst(mesh, bound, targets);
+    left -= descend(mesh, sizes, left, [&](std::span<const Vec2> points, std::span<Vec2> gradient) {
+      return eta_energy(mesh.faces, points, targets, energy, gradient);
+    });
+  }
+  take_back(mesh, before, least);
+}
+
+void smooth_guarded(QuadMesh& mesh, int sweeps) {
+  const Csr<Index> faces = faces_at_vertices(mesh);
+  const Index vertices = static_cast<Index>(mesh.points.size());
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (Index v = mesh.fixed; v < vertices; ++v) {
+      const auto star = faces.row(v);
+      const Vec2 start = mesh.points[v], goal = weighted_mean(mesh, star, v);
+      const double worst = worst_eta(mesh, star);
+      for (double share = 1; share >= 0.25; share *= 0.5) {
+        mesh.points[v] = start + share * (goal - start);
+        if (worst_eta(mesh, star) >= worst) break;
+        mesh.points[v] = start;
+      }
+    }
+}
+
+}  // namespace lpq

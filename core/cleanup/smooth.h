@@ -1,0 +1,31 @@
+// Smoothing that cannot do harm: vertices of the 1D mesh stay, a strictly convex face stays
+// strictly convex, and the worst eta of the mesh never falls.
+#pragma once
+
+#include "field/field.h"
+#include "mesh/quad_mesh.h"
+
+namespace lpq {
+
+struct SmoothOptions {
+  int iterations = 100;
+  double size_weight = 0.02;  // of the edge-length term beside 1 - eta
+  double eta_floor = 0.64;    // quads below are pushed up harder
+};
+
+/// Maximises the sum of eta over all free vertices together (shape_energy.h) by L-BFGS. The
+/// flattest faces are smoothed first, each with its neighbours alone, so that their tiny steps do
+/// not hold up the rest; what stays flat is pinned. In the end moves are taken back where a face is
+/// worse than the worst that touched it at the start (and worse than 0.5). Faces that are not
+/// strictly convex stay as they are, with their vertices. Cost O(iterations #F).
+void smooth_eta(QuadMesh& mesh, const Fields& fields, const SmoothOptions& options = {});
+
+/// Plain Laplacian smoothing ("a Laplacian smoothing has been applied", paper section 5): every
+/// free vertex in turn moves towards the length-weighted mean of its neighbours, by the largest of
+/// 1, 1/2, 1/4 of the way that does not lower the worst eta of its faces; otherwise it stays.
+void smooth_guarded(QuadMesh& mesh, int sweeps);
+
+/// 1/h^2 at the centre of every face, from the size field.
+std::vector<double> target_inverse_squares(const QuadMesh& mesh, const Fields& fields);
+
+}  // namespace lpq

@@ -1,0 +1,199 @@
+// See args.h.
+#include "cli/args.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "io/number.h"
+
+namespace lpq {
+namespace {
+
+Error usage(std::string message) { return {ErrorCode::bad_option, std::move(message), {}}; }
+
+std::string limits_text(const FieldInfo& info) {
+  std::string text = "a number between ";
+  append_number(text, info.min);
+  text += " and ";
+  append_number(text, info.max);
+  return text;
+}
+
+/// The text as a value of the member's type; returns what was expected where it is not one.
+std::string set_value(std::string& member, std::string_view text, const FieldInfo&) {
+  if (text.empty()) return "a file name";
+  member = text;
+  return {};
+}
+
+template <class Number>
+requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>) std::string
+    set_value(Number& member, std::string_view text, const FieldInfo& info) {
+  double number = 0;
+  if (!parse_number(text, number) || !(number >= info.min && number <= info.max)) {
+    return limits_text(info);
+  }
+  if constexpr (std::is_integral_v<Number>) {
+    std::int64_t integer = 0;  // not through the double: seeds have more digits than it keeps
+    if (!parse_integer(text, integer)) return "a whole number";
+    member = static_cast<Number>(integer);
+  } else {
+    member = number;
+  }
+  return {};
+}
+
+template <class Choice>
+requires std::is_enum_v<Choice> std::string set_value(Choice& member, std::string_view text,
+                                                      const FieldInfo&) {
+  std::string expected;
+  for (std::size_t k = 0; k < ChoiceNames<Choice>::names.size(); ++k) {
+    if (text == ChoiceNames<Choice>::names[k]) {
+      member = static_cast<Choice>(k);
+      return {};
+    }
+    if (k > 0) expected += k + 1 < ChoiceNames<Choice>::names.size() ? ", " : " or ";
+    expected += ChoiceNames<Choice>::names[k];
+  }
+  return expected;
+}
+
+/// One walk over the arguments; `Tables` are option structs with each_field.
+class ArgParser {
+ public:
+  explicit ArgParser(std::span<const std::string_view> args) : args_(args) {}
+
+  template <class... Tables>
+  Result<int> parse(std::vector<std::string>& inputs, bool& help, Tables&... tables) {
+    bool only_inputs = false;
+    for (next_ = 0; next_ < args_.size() && error_.empty();) {
+      const std::string_view arg = args_[next_++];
+      if (only_inputs || arg.size() < 2 || arg[0] != '-') {
+        inputs.emplace_back(arg);
+      } else if (arg == "--") {
+        only_inputs = true;
+      } else if (arg == "-h" || arg == "--help") {
+        help = true;
+      } else {
+        parse_option(arg, tables...);
+      }
+    }
+    if (!error_.empty()) return usage(error_);
+    return 0;
+  }
+
+ private:
+  template <class... Tables>
+  void parse_option(std::string_view arg, Tables&... tables) {
+    const std::size_t equals = arg.find('=');
+    std::string_view flag = arg.substr(0, equals);
+    if (flag == "-o") flag = "--output";
+    has_inline_ = equals != std::string_view::npos;
+    inline_ = has_inline_ ? arg.substr(equals + 1) : std::string_view();
+    bool found = false;
+    std::vector<std::string> names{"--help"};
+    const auto try_field = [&](const char* name, auto& member, const FieldInfo& info) {
+      names.push_back(option_flag(name));
+      if (found || names.back() != flag) return;
+      found = true;
+      set_member(names.back(), member, info);
+    };
+    (..., each_field(tables, try_field));
+    if (found) return;
+    error_ = "There is no option " + std::string(flag) + ".";
+    const std::string nearest = nearest_name(flag, names);
+    if (!nearest.empty()) error_ += " Did you mean " + nearest + "?";
+  }
+
+  template <class Member>
+  void set_member(const std::string& flag, Member& member, const FieldInfo& info) {
+    if constexpr (std::is_same_v<Member, bool>) {
+      member = true;
+      if (has_inline_) error_ = "Option " + flag + " takes no value.";
+    } else {
+      if (!has_inline_ && next_ == args_.size()) {
+        error_ = "Option " + flag + " needs a value.";
+        return;
+      }
+      const std::string_view text = has_inline_ ? inline_ : args_[next_++];
+      const std::string expected = set_value(member, text, info);
+      if (expected.empty()) return;
+      error_ = "Option " + flag + " must be " + expected + ", not '" + std::string(text) + "'.";
+    }
+  }
+
+  std::span<const std::string_view> args_;
+  std::size_t next_ = 0;
+  std::string_view inline_;  // of --name=value
+  bool has_inline_ = false;
+  std::string error_;
+};
+
+/// Optimal string alignment distance; words here are a dozen letters.
+int edit_distance(std::string_view a, std::string_view b) {
+  const std::size_t columns = b.size() + 1;
+  std::vector<int> cost((a.size() + 1) * columns);
+  const auto at = [&](std::size_t i, std::size_t j) -> int& { return cost[i * columns + j]; };
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        at(i, j) = static_cast<int>(i + j);
+        continue;
+      }
+      const int change = a[i - 1] == b[j - 1] ? 0 : 1;
+      at(i, j) = std::min({at(i - 1, j) + 1, at(i, j - 1) + 1, at(i - 1, j - 1) + change});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 1);
+      }
+    }
+  }
+  return at(a.size(), b.size());
+}
+
+}  // namespace
+
+std::string option_flag(std::string_view name) {
+  std::string flag = "--";
+  for (const char c : name) {
+    if (c >= 'A' && c <= 'Z') {
+      flag += '-';
+      flag += static_cast<char>(c - 'A' + 'a');
+    } else {
+      flag += c;
+    }
+  }
+  return flag;
+}
+
+std::string nearest_name(std::string_view word, std::span<const std::string> candidates) {
+  constexpr std::size_t longest = 60;  // nobody means an option by a longer word
+  if (word.size() > longest) return {};
+  int best = 1 + static_cast<int>(word.size()) / 3;
+  std::string nearest;
+  for (const std::string& candidate : candidates) {
+    int edits = edit_distance(word, candidate);
+    // A beginning is meant as well: --keep for --keep-boundary.
+    if (word.size() > 3 && candidate.substr(0, word.size()) == word) edits = std::min(edits, 1);
+    if (edits > best || (edits == best && !nearest.empty())) continue;
+    best = edits;
+    nearest = candidate;
+  }
+  return nearest;
+}
+
+Result<MeshArgs> parse_mesh_args(std::span<const std::string_view> args) {
+  MeshArgs result;
+  const auto parsed =
+      ArgParser(args).parse(result.inputs, result.help, result.files, result.options);
+  if (!parsed) return parsed.error();
+  return result;
+}
+
+Result<CheckArgs> parse_check_args(std::span<const std::string_view> args) {
+  CheckArgs result;
+  const auto parsed = ArgParser(args).parse(result.inputs, result.help, result.files);
+  if (!parsed) return parsed.error();
+  return result;
+}
+
+}  // namespace lpq

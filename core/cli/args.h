@@ -1,0 +1,84 @@
+// Arguments to values. The mesher's options come from its option table (pipeline/options.h), the
+// rest - files and how to print - from a second table of the same kind.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/options.h"
+
+namespace lpq {
+
+enum class MshChoice { v4_1, v2_2 };
+template <>
+struct ChoiceNames<MshChoice> {
+  static constexpr std::array<const char*, 2> names{"4.1", "2.2"};
+};
+
+/// What `lpquad mesh` reads and writes. "" = not asked for.
+struct MeshFiles {
+  std::string output, report, stages, svg;
+  MshChoice msh_version = MshChoice::v4_1;
+  bool quiet = false;
+};
+
+template <class O, class F>
+requires std::is_same_v<std::remove_const_t<O>, MeshFiles>
+void each_field(O& o, F&& visit) {
+  visit("output", o.output,
+        FieldInfo{0, 0, "file",
+                  "The mesh: .obj, .msh, .vtu, .svg or .json; for several inputs a folder, or a "
+                  "name with {}."});
+  visit("svg", o.svg, FieldInfo{0, 0, "file", "A picture of the mesh."});
+  visit("report", o.report,
+        FieldInfo{0, 0, "file",
+                  "Counts, quality, energies and times as JSON; on failure the error."});
+  visit("stages", o.stages, FieldInfo{0, 0, "folder", "Every intermediate value of the run."});
+  visit("mshVersion", o.msh_version, FieldInfo{0, 0, "", "Version of .msh files."});
+  visit("quiet", o.quiet, FieldInfo{0, 0, "", "Print nothing but errors."});
+}
+
+struct CheckFiles {
+  std::string domain;
+  bool quiet = false;
+};
+
+template <class O, class F>
+requires std::is_same_v<std::remove_const_t<O>, CheckFiles>
+void each_field(O& o, F&& visit) {
+  visit(
+      "domain", o.domain,
+      FieldInfo{0, 0, "file", "The domain it should be a mesh of: its boundary is compared too."});
+  visit("quiet", o.quiet, FieldInfo{0, 0, "", "Print nothing but errors."});
+}
+
+struct MeshArgs {
+  std::vector<std::string> inputs;
+  MeshFiles files;
+  Options options;
+  bool help = false;
+};
+
+struct CheckArgs {
+  std::vector<std::string> inputs;
+  CheckFiles files;
+  bool help = false;
+};
+
+/// "keepBoundary" -> "--keep-boundary"
+std::string option_flag(std::string_view name);
+
+/// Options may stand anywhere, as `--name value` or `--name=value`; `-o` is --output, `-h` is
+/// --help; after `--` everything is an input. Errors: bad_option, with the nearest name where an
+/// option does not exist.
+Result<MeshArgs> parse_mesh_args(std::span<const std::string_view> args);
+Result<CheckArgs> parse_check_args(std::span<const std::string_view> args);
+
+/// The candidate with the fewest edits (insert, delete, replace, swap) from `word`, "" if none is
+/// near enough to be meant.
+std::string nearest_name(std::string_view word, std::span<const std::string> candidates);
+
+}  // namespace lpq

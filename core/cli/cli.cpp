@@ -1,0 +1,68 @@
+// See cli.h.
+#include "cli/cli.h"
+
+#include <array>
+#include <new>
+
+#include "cli/args.h"
+#include "cli/commands.h"
+#include "cli/help.h"
+#include "io/error_text.h"
+
+namespace lpq {
+
+void print_error(const CliStreams& streams, std::string_view file, const Error& error) {
+  std::string text = "error " + error_text(error);
+  if (!file.empty()) text = std::string(file) + ": " + text;
+  streams.err(text + "\n");
+}
+
+int exit_code(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::bad_option: return exit_usage;
+    case ErrorCode::no_valid_mesh:
+    case ErrorCode::out_of_memory:
+    case ErrorCode::cancelled:
+    case ErrorCode::io_error: return exit_could_not;
+    default: return exit_bad_input;
+  }
+}
+
+namespace {
+
+int dispatch(std::span<const std::string_view> args, const CliStreams& streams) {
+  const std::string_view command = args.empty() ? "" : args[0];
+  if (command == "mesh") return mesh_command(args.subspan(1), streams);
+  if (command == "check") return check_command(args.subspan(1), streams);
+  if (command == "--version") {
+    streams.out(version_text());
+    return exit_done;
+  }
+  if (command == "--help" || command == "-h" || command == "help") {
+    streams.out(general_help());
+    return exit_done;
+  }
+  if (command.empty()) {
+    streams.err(general_help());
+    return exit_usage;
+  }
+  std::string message = "There is no command '" + std::string(command) + "'.";
+  const std::array<std::string, 4> commands{"mesh", "check", "--help", "--version"};
+  const std::string nearest = nearest_name(command, commands);
+  message += nearest.empty() ? " See lpquad --help." : " Did you mean '" + nearest + "'?";
+  print_error(streams, {}, {ErrorCode::bad_option, message, {}});
+  return exit_usage;
+}
+
+}  // namespace
+
+int run_cli(std::span<const std::string_view> args, const CliStreams& streams) {
+  try {
+    return dispatch(args, streams);
+  } catch (const std::bad_alloc&) {
+    print_error(streams, {}, {ErrorCode::out_of_memory, "There is not enough memory.", {}});
+    return exit_could_not;
+  }
+}
+
+}  // namespace lpq

@@ -1,0 +1,122 @@
+// See help.h.
+#include "cli/help.h"
+
+#include <string_view>
+
+#include "cli/args.h"
+#include "io/number.h"
+
+namespace lpq {
+namespace {
+
+/// Breaks the text at blanks into lines that start at `column`.
+void append_wrapped(std::string& out, std::string_view text, std::size_t column) {
+  constexpr std::size_t page = 96;
+  std::size_t at = column;
+  while (!text.empty()) {
+    const std::size_t blank = text.find(' ');
+    const std::string_view word = text.substr(0, blank);
+    if (at > column && at + 1 + word.size() > page) {
+      out += '\n';
+      out.append(column, ' ');
+      at = column;
+    } else if (at > column) {
+      out += ' ';
+      ++at;
+    }
+    out += word;
+    at += word.size();
+    text.remove_prefix(blank == std::string_view::npos ? text.size() : blank + 1);
+  }
+  out += '\n';
+}
+
+/// What stands after the option: "H", "4.1|2.2", nothing for a flag.
+template <class T>
+std::string value_name(const T&, const FieldInfo& info) {
+  if constexpr (std::is_same_v<T, bool>) {
+    return {};
+  } else if constexpr (std::is_enum_v<T>) {
+    std::string text;
+    for (const char* name : ChoiceNames<T>::names) {
+      if (!text.empty()) text += '|';
+      text += name;
+    }
+    return text;
+  } else {
+    const std::string_view unit = info.unit;
+    return unit.empty() ? "N" : std::string(unit);
+  }
+}
+
+template <class T>
+std::string default_text(const T& value) {
+  std::string text;
+  if constexpr (std::is_enum_v<T>) {
+    text = choice_name(value);
+  } else if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
+    append_number(text, static_cast<double>(value));
+  }
+  return text.empty() ? text : " (" + text + ")";
+}
+
+template <class Table>
+void append_options(std::string& out, const Table& table) {
+  constexpr std::size_t column = 34;
+  each_field(table, [&](const char* name, const auto& value, const FieldInfo& info) {
+    const std::string flag = option_flag(name);
+    std::string head = flag == "--output" ? "  -o, " + flag : "  " + flag;
+    const std::string argument = value_name(value, info);
+    if (!argument.empty()) head += " " + argument;
+    out += head;
+    if (head.size() + 2 > column) {
+      out += '\n';
+      out.append(column, ' ');
+    } else {
+      out.append(column - head.size(), ' ');
+    }
+    append_wrapped(out, info.help + default_text(value), column);
+  });
+}
+
+}  // namespace
+
+std::string general_help() {
+  return "lpquad - quadrilateral meshes of plane domains\n"
+         "\n"
+         "  lpquad mesh DOMAIN.json... -o MESH    mesh domains\n"
+         "  lpquad check MESH [--domain DOMAIN]   judge a mesh\n"
+         "  lpquad COMMAND --help                 all options of a command\n"
+         "  lpquad --version\n"
+         "\n"
+         "Exit codes: 0 done, 1 the checked mesh is invalid, 2 wrong command line, 3 bad input,\n"
+         "4 could not (no valid mesh found, out of memory, cannot write).\n";
+}
+
+std::string mesh_help() {
+  std::string out =
+      "lpquad mesh DOMAIN.json... -o MESH [options]\n"
+      "\n"
+      "Meshes each domain; '-' reads it from standard input. With several inputs the names of\n"
+      "output files contain {}, which stands for the input's name, or -o is a folder.\n"
+      "\nFiles\n";
+  append_options(out, MeshFiles{});
+  out += "\nMethod\n";
+  append_options(out, Options{});
+  return out;
+}
+
+std::string check_help() {
+  std::string out =
+      "lpquad check MESH.obj|MESH.msh... [options]\n"
+      "\n"
+      "Proves with exact arithmetic that every face is strictly convex, that faces meet edge to\n"
+      "edge, and prints the quality. Exit code 0: valid, 1: invalid, 3: cannot be read.\n"
+      "\n";
+  append_options(out, CheckFiles{});
+  return out;
+}
+
+std::string version_text() { return "lpquad " LPQ_VERSION "\n"; }
+
+}  // namespace lpq

@@ -1,0 +1,134 @@
+// `lpquad mesh`: read, mesh, write.
+#include <algorithm>
+#include <filesystem>
+#include <new>
+#include <optional>
+
+#include "cli/args.h"
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/help.h"
+#include "cli/outputs.h"
+#include "cli/progress.h"
+#include "io/error_text.h"
+#include "io/json_domain.h"
+#include "io/report.h"
+#include "io/stages.h"
+#include "io/svg.h"
+#include "pipeline/mesher.h"
+
+namespace lpq {
+namespace {
+
+/// Writes files until one cannot be written.
+class Writer {
+ public:
+  void write(const std::string& name, const std::string& content) {
+    if (failure_) return;
+    const auto written = write_file(name, content);
+    if (!written) failure_ = written.error();
+  }
+  const std::optional<Error>& failure() const { return failure_; }
+
+ private:
+  std::optional<Error> failure_;
+};
+
+class Run {
+ public:
+  Run(const RunFiles& files, const MeshArgs& args, const CliStreams& streams)
+      : files_(files), args_(args), streams_(streams) {}
+
+  int operator()() {
+    const auto text = read_file(files_.input);
+    if (!text) return fail(text.error(), exit_bad_input);
+    const auto domain = parse_domain_json(*text);
+    if (!domain) return fail(domain.error());
+    Trace trace;
+    auto outcome = mesh(*domain, files_.stages.empty() ? nullptr : &trace);
+    if (!outcome) return fail(outcome.error());
+    Writer writer;
+    write_results(writer, *outcome, trace);
+    if (writer.failure()) return fail(*writer.failure());
+    if (!args_.files.quiet) print_summary(*outcome);
+    return exit_done;
+  }
+
+  /// Prints the error; with --report it is also written as JSON.
+  int fail(const Error& error) { return fail(error, exit_code(error.code)); }
+
+ private:
+  int fail(const Error& error, int code) {
+    print_error(streams_, files_.input, error);
+    if (!files_.report.empty()) {
+      const auto written = write_file(files_.report, write_error_json(error));
+      if (!written) print_error(streams_, {}, written.error());
+    }
+    return code;
+  }
+
+  Result<Outcome> mesh(const DomainInput& domain, Trace* trace) const {
+    ProgressLine progress(streams_, !args_.files.quiet);
+    return mesh_domain(domain, args_.options, progress.monitor(), trace);
+  }
+
+  void write_results(Writer& writer, const Outcome& outcome, const Trace& trace) const {
+    const MshVersion version =
+        args_.files.msh_version == MshChoice::v2_2 ? MshVersion::v2_2 : MshVersion::v4_1;
+    if (!files_.output.empty()) {
+      writer.write(files_.output, write_mesh(outcome.mesh, files_.format, version));
+    }
+    if (!files_.svg.empty()) writer.write(files_.svg, draw_quads(outcome.mesh));
+    if (!files_.report.empty()) {
+      writer.write(files_.report, write_report_json(outcome.report, outcome.mesh, args_.options));
+    }
+    if (!files_.stages.empty()) {
+      const std::filesystem::path folder(files_.stages);
+      write_stages(trace, outcome.report, [&](std::string_view name, const std::string& content) {
+        writer.write((folder / name).string(), content);
+      });
+    }
+  }
+
+  void print_summary(const Outcome& outcome) const {
+    std::string text;
+    if (args_.inputs.size() > 1) text += files_.input + "\n";
+    text += report_text(outcome.report, outcome.mesh);
+    for (const std::string* name : {&files_.output, &files_.svg, &files_.report, &files_.stages}) {
+      if (!name->empty()) text += "wrote         " + *name + "\n";
+    }
+    streams_.out(text);
+  }
+
+  const RunFiles& files_;
+  const MeshArgs& args_;
+  const CliStreams& streams_;
+};
+
+}  // namespace
+
+int mesh_command(std::span<const std::string_view> args, const CliStreams& streams) {
+  const auto parsed = parse_mesh_args(args);
+  if (parsed && parsed->help) {
+    streams.out(mesh_help());
+    return exit_done;
+  }
+  const auto runs = parsed ? plan_files(*parsed) : parsed.error();
+  if (!runs) {
+    print_error(streams, {}, runs.error());
+    return exit_usage;
+  }
+  int worst = exit_done;
+  for (const RunFiles& files : *runs) {
+    Run run(files, *parsed, streams);
+    try {
+      worst = std::max(worst, run());
+    } catch (const std::bad_alloc&) {
+      const Error error{ErrorCode::out_of_memory, "There is not enough memory for this mesh.", {}};
+      worst = std::max(worst, run.fail(error));
+    }
+  }
+  return worst;
+}
+
+}  // namespace lpq

@@ -1,0 +1,78 @@
+// See outputs.h.
+#include "cli/outputs.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/files.h"
+
+namespace lpq {
+namespace {
+
+constexpr std::string_view marker = "{}";
+
+Error usage(std::string message) { return {ErrorCode::bad_option, std::move(message), {}}; }
+
+bool is_folder(const std::string& name) {
+  if (name.empty()) return false;
+  if (name.back() == '/' || name.back() == '\\') return true;
+  std::error_code ignored;
+  return std::filesystem::is_directory(name, ignored);
+}
+
+std::string expand(std::string pattern, const std::string& stem) {
+  for (std::size_t at = 0; (at = pattern.find(marker, at)) != std::string::npos;
+       at += stem.size()) {
+    pattern.replace(at, marker.size(), stem);
+  }
+  return pattern;
+}
+
+/// Two runs with one file would silently lose a result.
+std::string first_repeated(const std::vector<RunFiles>& runs) {
+  std::vector<std::string> names;
+  for (const RunFiles& run : runs) {
+    for (const std::string* name : {&run.output, &run.report, &run.stages, &run.svg}) {
+      if (!name->empty()) names.push_back(*name);
+    }
+  }
+  std::sort(names.begin(), names.end());
+  const auto repeated = std::adjacent_find(names.begin(), names.end());
+  return repeated == names.end() ? std::string() : *repeated;
+}
+
+}  // namespace
+
+Result<std::vector<RunFiles>> plan_files(const MeshArgs& args) {
+  const MeshFiles& files = args.files;
+  if (args.inputs.empty())
+    return usage("No input. Give a domain: lpquad mesh DOMAIN.json -o MESH.");
+  if (files.output.empty() && files.report.empty() && files.stages.empty() && files.svg.empty()) {
+    return usage("Nothing to write. Give -o MESH, --svg, --report or --stages.");
+  }
+  const std::string output = is_folder(files.output)
+                                 ? (std::filesystem::path(files.output) / "{}.obj").string()
+                                 : files.output;
+  std::vector<RunFiles> runs;
+  for (const std::string& input : args.inputs) {
+    const std::string stem = file_stem(input);
+    RunFiles run{input, expand(output, stem), expand(files.report, stem),
+                 expand(files.stages, stem), expand(files.svg, stem)};
+    if (!run.output.empty()) {
+      const auto format = mesh_format(run.output);
+      if (!format) {
+        return usage("'" + run.output + "' must end in " + std::string(mesh_endings) + ".");
+      }
+      run.format = *format;
+    }
+    runs.push_back(std::move(run));
+  }
+  const std::string repeated = first_repeated(runs);
+  if (!repeated.empty()) {
+    return usage("'" + repeated +
+                 "' would be written twice. With several inputs, put {} into the names.");
+  }
+  return runs;
+}
+
+}  // namespace lpq

@@ -1,0 +1,24 @@
+// The door, in four steps that each have a file: numbers and repeated points (outline), the loops
+// of every region by themselves (judge), canonical order (canonical), regions, polylines and points
+// against each other (sides). Every decision about position is an exact sign.
+#include "domain/domain.h"
+
+#include "domain/canonical.h"
+#include "domain/judge.h"
+#include "domain/outline.h"
+#include "domain/sides.h"
+
+namespace lpq {
+
+Result<Domain> make_domain(const DomainInput& input, const DomainOptions& options) {
+  const Result<Outline> outline = make_outline(input, options);
+  if (!outline) return outline.error();
+  const Result<LoopRoles> roles = judge_loops(*outline, options.outer_first);
+  if (!roles) return roles.error();
+  Result<Domain> domain = make_canonical(*outline, *roles);
+  if (!domain) return domain;
+  if (const std::optional<Error> problem = settle_sides(*domain)) return *problem;
+  return domain;
+}
+
+}  // namespace lpq

@@ -1,0 +1,305 @@
+// Around a vertex, the left side of a segment and the right side of the next one counter-clockwise
+// are the same sector, so they must name the same region. Around a connected component of segments
+// lies one face, whose region a ray from the component's smallest point tells: no other component
+// touches this one, so no count along the ray is in doubt.
+#include "domain/sides.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+
+#include "base/csr.h"
+#include "domain/box_tree.h"
+#include "domain/outline.h"
+#include "geometry/predicates.h"
+#include "geometry/segment.h"
+
+namespace lpq {
+namespace {
+
+using Problem = std::optional<Error>;
+
+constexpr Index unknown = -2;
+
+class Components {
+ public:
+  explicit Components(Index n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+  Index find(Index i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void unite(Index i, Index j) {
+    i = find(i);
+    j = find(j);
+    parent_[std::max(i, j)] = std::min(i, j);
+  }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+bool is_polyline(const Segment& segment) { return segment.region == none; }
+
+class SideSettler {
+ public:
+  explicit SideSettler(Domain& domain)
+      : domain_(domain), component_(static_cast<Index>(domain.points.size())) {}
+  Problem run();
+
+ private:
+  // One end of a segment, seen from its vertex.
+  struct Spoke {
+    Index segment;
+    Index far;
+    Index left, right;
+  };
+
+  void build_fans();
+  void sort_fan(Index vertex, std::span<Spoke> fan) const;
+  Problem settle_fan(Index vertex);
+  void give_polyline(Index segment, Index region);
+  Problem settle_components();
+  Problem settle_polylines();
+  Problem settle_points();
+  Index region_at(Index vertex, Problem& problem);
+  Vec2 at(Index point) const { return domain_.points[point]; }
+  std::string name(Index region) const;
+  Error conflict(Index vertex, Index one, Index two) const;
+  Error outside(const std::string& what, Vec2 world) const;
+
+  Domain& domain_;
+  BoxTree tree_;
+  Csr<Spoke> fans_;
+  Components component_;
+  std::vector<Index> smallest_;         // #P  of the component with this root
+  std::vector<Index> polyline_region_;  // #P  of the polylines joined away from loops, by root
+};
+
+std::string SideSettler::name(Index region) const {
+  if (region == none) return "the outside";
+  const std::string& text = domain_.regions[region];
+  return "region " + std::to_string(region) + (text.empty() ? "" : " (" + text + ")");
+}
+
+Error SideSettler::conflict(Index vertex, Index one, Index two) const {
+  const Vec2 world = domain_.given[vertex];
+  Where where = at_point({}, world);
+  where.region = one == none ? two : one;
+  return {ErrorCode::region_conflict,
+          "Two regions overlap at " + point_text(world) + ": " + name(one) + " and " + name(two) +
+              " claim the same place. Regions may share edges and corners only; give a region that "
+              "lies within another a hole in the outer one.",
+          where};
+}
+
+Error SideSettler::outside(const std::string& what, Vec2 world) const {
+  return {ErrorCode::hole_outside,
+          what + " lies outside the domain at " + point_text(world) +
+              ". Only what lies inside can become part of the mesh.",
+          at_point({}, world)};
+}
+
+void SideSettler::build_fans() {
+  const Index n = static_cast<Index>(domain_.points.size());
+  std::vector<Index> degree(n + 1, 0);
+  for (const Segment& s : domain_.segments) {
+    ++degree[s.a];
+    ++degree[s.b];
+  }
+  fans_.offsets.assign(n + 1, 0);
+  for (Index v = 0; v < n; ++v) fans_.offsets[v + 1] = fans_.offsets[v] + degree[v];
+  fans_.values.resize(fans_.offsets[n]);
+  std::vector<Index> next(fans_.offsets.begin(), fans_.offsets.end() - 1);
+  for (Index i = 0; i < static_cast<Index>(domain_.segments.size()); ++i) {
+    const Segment& s = domain_.segments[i];
+    const Index l = is_polyline(s) ? unknown : s.left, r = is_polyline(s) ? unknown : s.right;
+    fans_.values[next[s.a]++] = {i, s.b, l, r};
+    fans_.values[next[s.b]++] = {i, s.a, r, l};
+    component_.unite(s.a, s.b);
+  }
+}
+
+void SideSettler::sort_fan(Index vertex, std::span<Spoke> fan) const {
+  const Vec2 o = at(vertex);
+  const auto upper = [&](Vec2 p) { return p.y > o.y || (p.y == o.y && p.x > o.x); };
+  // No two spokes have the same direction: they would overlap.
+  std::sort(fan.begin(), fan.end(), [&](const Spoke& s, const Spoke& t) {
+    const Vec2 p = at(s.far), q = at(t.far);
+    if (upper(p) != upper(q)) return upper(p);
+    return orient2d(o, p, q) > 0;
+  });
+}
+
+Problem SideSettler::settle_fan(Index vertex) {
+  const auto fan = fans_.row(vertex);
+  sort_fan(vertex, fan);
+  Index start = 0;
+  while (start < static_cast<Index>(fan.size()) && fan[start].left == unknown) ++start;
+  if (start == static_cast<Index>(fan.size())) return {};  // polylines only
+  Index sector = fan[start].left;
+  for (std::size_t i = 1; i <= fan.size(); ++i) {
+    const Spoke& spoke = fan[(start + i) % fan.size()];
+    if (spoke.right == unknown) {
+      give_polyline(spoke.segment, sector);
+      continue;
+    }
+    if (spoke.right != sector) return conflict(vertex, sector, spoke.right);
+    sector = spoke.left;
+  }
+  return {};
+}
+
+void SideSettler::give_polyline(Index segment, Index region) {
+  Segment& s = domain_.segments[segment];
+  s.left = s.right = region;
+}
+
+/// The region around a vertex as told by the segments of other components.
+Index SideSettler::region_at(Index vertex, Problem& problem) {
+  const Vec2 q = at(vertex);
+  const Index own = component_.find(vertex);
+  std::vector<Index> sides;
+  tree_.walk(
+      [q](Index, const Box& box) { return box.lo.x <= q.x && box.lo.y <= q.y && q.y <= box.hi.y; },
+      [&](Index i) {
+        const Segment& s = domain_.segments[i];
+        if (is_polyline(s) || component_.find(s.a) == own) return;
+        const Vec2 a = at(s.a), b = at(s.b);
+        if ((a.y > q.y) == (b.y > q.y)) return;
+        if ((b.y > a.y) != (orient2d(a, b, q) < 0)) return;
+        for (const Index side : {s.left, s.right})
+          if (side != none) sides.push_back(side);
+      });
+  std::sort(sides.begin(), sides.end());
+  Index region = none;
+  for (std::size_t i = 0, j = 0; i < sides.size(); i = j) {
+    while (j < sides.size() && sides[j] == sides[i]) ++j;
+    if ((j - i) % 2 == 0) continue;
+    if (region != none && !problem) problem = conflict(vertex, region, sides[i]);
+    region = sides[i];
+  }
+  return region;
+}
+
+// The smallest point of a component looks to the left into the sector after its last spoke: all its
+// spokes lie in the half-plane to the right.
+Problem SideSettler::settle_components() {
+  for (Index v = 0; v < static_cast<Index>(domain_.points.size()); ++v) {
+    if (smallest_[component_.find(v)] != v) continue;
+    auto fan = fans_.row(v);
+    const Spoke* last = nullptr;
+    for (const Spoke& spoke : fan)
+      if (spoke.left != unknown &&
+          (last == nullptr || orient2d(at(v), at(last->far), at(spoke.far)) > 0))
+        last = &spoke;
+    if (last == nullptr) continue;
+    Problem problem;
+    const Index around = region_at(v, problem);
+    if (problem) return problem;
+    if (around != last->left) return conflict(v, around, last->left);
+  }
+  return {};
+}
+
+// Polylines that are joined to each other, but not through a vertex of a loop, share a region.
+Problem SideSettler::settle_polylines() {
+  const Index n = static_cast<Index>(domain_.points.size());
+  std::vector<char> on_loop(n, 0);
+  for (const Segment& s : domain_.segments)
+    if (!is_polyline(s)) on_loop[s.a] = on_loop[s.b] = 1;
+  const Index count = static_cast<Index>(domain_.segments.size());
+  Components joined(count);
+  std::vector<Index> at_vertex(n, none);
+  for (Index i = 0; i < count; ++i) {
+    const Segment& s = domain_.segments[i];
+    if (!is_polyline(s)) continue;
+    for (const Index v : {s.a, s.b}) {
+      if (on_loop[v]) continue;
+      if (at_vertex[v] == none) at_vertex[v] = i;
+      joined.unite(i, at_vertex[v]);
+    }
+  }
+  std::vector<Index> region(count, unknown);
+  for (Index i = 0; i < count; ++i) {
+    const Segment& s = domain_.segments[i];
+    if (is_polyline(s) && (on_loop[s.a] || on_loop[s.b])) region[joined.find(i)] = s.left;
+  }
+  for (Index i = 0; i < count; ++i) {
+    Segment& s = domain_.segments[i];
+    if (!is_polyline(s)) continue;
+    Index& shared = region[joined.find(i)];
+    Problem problem;
+    if (shared == unknown) shared = region_at(s.a, problem);
+    if (problem) return problem;
+    if (shared == none) {
+      Error error =
+          outside("Edge " + std::to_string(s.edge) + " of polyline " + std::to_string(s.loop),
+                  domain_.given[s.a]);
+      error.where.edge = s.edge;
+      return error;
+    }
+    s.left = s.right = shared;
+  }
+  return {};
+}
+
+Problem SideSettler::settle_points() {
+  for (Index v = 0; v < static_cast<Index>(domain_.points.size()); ++v) {
+    if (!fans_.row(v).empty()) continue;
+    const Vec2 p = at(v);
+    Index carrier = none;
+    tree_.walk(
+        [p](Index, const Box& box) {
+          return overlap(box, Box{p, p});
+        },
+        [&](Index i) {
+          const Segment& s = domain_.segments[i];
+          if (on_segment(p, at(s.a), at(s.b))) carrier = i;
+        });
+    const Vec2 world = domain_.given[v];
+    if (carrier != none) {
+      const Segment& s = domain_.segments[carrier];
+      Where where = at_point({}, world);
+      where.region = s.region;
+      where.loop = is_polyline(s) ? none : s.loop;
+      where.edge = s.edge;
+      return Error{ErrorCode::touching,
+                   "The point " + point_text(world) + " lies on edge " + std::to_string(s.edge) +
+                       " of " + (is_polyline(s) ? "polyline " : "loop ") + std::to_string(s.loop) +
+                       ". Make it a corner of that edge's loop instead.",
+                   where};
+    }
+    Problem problem;
+    if (region_at(v, problem) == none && !problem) problem = outside("A point", world);
+    if (problem) return problem;
+  }
+  return {};
+}
+
+Problem SideSettler::run() {
+  build_fans();
+  const Index n = static_cast<Index>(domain_.points.size());
+  smallest_.assign(n, none);
+  for (Index v = 0; v < n; ++v) {
+    Index& smallest = smallest_[component_.find(v)];
+    if (smallest == none || at(v) < at(smallest)) smallest = v;
+  }
+  const bool plain = domain_.regions.size() == 1 && domain_.segments.back().region != none;
+  const bool points = fans_.row(n - 1).empty();  // isolated points come last
+  if (plain && !points) return {};
+  std::vector<Box> boxes;
+  for (const Segment& s : domain_.segments) boxes.push_back(box_of(at(s.a), at(s.b)));
+  tree_ = BoxTree(boxes);
+  for (Index v = 0; v < n; ++v)
+    if (fans_.row(v).size() > 2)
+      if (Problem problem = settle_fan(v)) return problem;
+  if (Problem problem = settle_components()) return problem;
+  if (Problem problem = settle_polylines()) return problem;
+  return settle_points();
+}
+
+}  // namespace
+
+std::optional<Error> settle_sides(Domain& domain) { return SideSettler(domain).run(); }
+
+}  // namespace lpq

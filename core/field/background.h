@@ -1,0 +1,44 @@
+// The background mesh: a constrained Delaunay triangulation of the domain, graded from the spacing
+// of the walls up to a multiple of the target size, so that the fields are resolved where they vary
+// and cheap elsewhere.
+#pragma once
+
+#include <vector>
+
+#include "base/function_ref.h"
+#include "base/result.h"
+#include "domain/boundary.h"
+#include "field/quadtree.h"
+#include "mesh/tri_mesh.h"
+
+namespace lpq {
+
+/// A place where the background must be no coarser than `side`.
+struct Source {
+  Vec2 position;
+  double side = 0;
+};
+
+class BackgroundBuilder {
+ public:
+  BackgroundBuilder(const BoundaryMesh& boundary, const std::vector<Source>& sources,
+                    double coarsest);
+
+  /// Graded by the walls alone: leaves grow with the distance to them. About O(#B log) vertices.
+  Result<TriMesh> coarse() const;
+
+  /// Refines so that no leaf is larger than `largest_leaf(t, weights, point)`, a function on the
+  /// triangles of the coarse mesh given barycentric weights and the point they describe (always in
+  /// the triangle). `interior_size`, same arguments, is then read at each new interior vertex.
+  using OnCoarse = FunctionRef<double(Index t, const double (&weights)[3], Vec2 point)>;
+  Result<TriMesh> fine(const TriMesh& coarse, OnCoarse largest_leaf, OnCoarse interior_value,
+                       std::vector<double>& interior_values);
+
+ private:
+  std::vector<char> blocked_leaves() const;
+
+  const BoundaryMesh& boundary_;
+  Quadtree tree_;
+};
+
+}  // namespace lpq

@@ -1,0 +1,73 @@
+// The two fields that steer the mesh, on one background triangulation: the cross field as
+// z = e^{4 i theta} (paper section 4) and the size field h. Sampled everywhere by linear
+// interpolation, with the gradients that the energy needs.
+#pragma once
+
+#include <vector>
+
+#include "delaunay/locate.h"
+#include "geometry/vec.h"
+#include "mesh/tri_mesh.h"
+
+namespace lpq {
+
+struct FieldSample {
+  Vec2 axis{1, 0};  // (cos theta, sin theta), unit; one of the four arms
+  double h = 1;     // target edge length, unit frame
+  Vec2 grad_theta;  // d theta / d x, capped at 1/h near singularities
+  Vec2 grad_log_h;  // d log h / d x
+};
+
+struct Singularity {
+  Vec2 position;
+  int index = 0;  // in quarters: +1 = valence-3 vertex, -1 = valence-5 vertex
+};
+
+struct Fields {
+  TriMesh background;
+  std::vector<Vec2> z;    // #V background  unit e^{4 i theta} (zero only where undefined)
+  std::vector<double> h;  // #V background  target size, > 0
+  std::vector<Singularity> singularities;
+  Locator locator;  // over `background`
+
+  Fields() = default;
+  Fields(const Fields& other);
+  Fields(Fields&& other) noexcept;
+  Fields& operator=(Fields other) noexcept;
+  /// Prepares sampling; call after filling or changing background, z or h. Copies and moves need
+  /// no call.
+  void attach();
+
+  /// `hint` remembers the triangle between calls for nearby points; a point outside the domain
+  /// gets the values of the nearest triangle. Walks over few triangles when the hint is near.
+  FieldSample sample(Vec2 p, Index& hint) const;
+  /// Size only (cheaper).
+  double size(Vec2 p, Index& hint) const;
+  /// Triangle that contains p, reached from triangle `from` without crossing a wall; none when a
+  /// wall is in the way. Never searches: the test "can y be seen from x" of the point packings.
+  Index walk(Vec2 p, Index from) const;
+
+ private:
+  // Linear interpolation prepared per triangle, so that a sample is one cache-friendly read.
+  struct Cell {
+    Vec2 origin;              // corner 0
+    Vec2 lambda_1, lambda_2;  // gradients of the barycentric coordinates of corners 1, 2
+    Vec2 z, z_dx, z_dy;       // value at the origin and derivatives
+    double h = 0;
+    Vec2 h_gradient;
+  };
+  const Cell& cell_at(Vec2& p, Index& hint) const;
+  Index step(Vec2 p, Index t) const;
+  std::vector<Cell> cells_;  // #T background
+};
+
+/// Unit (cos theta, sin theta) with theta in [-pi/4, pi/4] of z = e^{4 i theta}: two complex square
+/// roots, no trigonometry. (1, 0) for z = 0.
+Vec2 axis_of(Vec2 z);
+/// e^{4 i theta} of a direction (any length > 0).
+Vec2 cross_of(Vec2 direction);
+
+/// Integral of dA / h^2 over the domain: the number of unit cells that fit.
+double cell_capacity(const Fields& fields);
+
+}  // namespace lpq

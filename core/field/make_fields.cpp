@@ -1,0 +1,168 @@
+// Order of work: a coarse background graded by the walls alone carries a first size field; that
+// decides how fine the interior of the final background must be; on it the crosses are solved and
+// the sizes completed.
+#include "field/make_fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "field/background.h"
+#include "field/cross_field.h"
+#include "field/size_field.h"
+#include "numerics/elementary.h"
+
+namespace lpq {
+namespace {
+
+// A size function may vary anywhere: it is looked at on leaves of at most this share of the domain.
+constexpr double function_resolution = 1.0 / 48;
+
+// From this distance to the walls on, in units of h, the background grows further, as the square
+// root of the distance: the crosses turn by about h / distance per h there, and a phase carried
+// along an edge of length L errs by about (L / h) (L / distance)^2 / 12.
+constexpr double coarsening_depth = 20;
+
+bool good_size(double h) { return std::isfinite(h) && h > 0; }
+
+Error bad_size(std::string message, Vec2 at, bool has_point) {
+  Error error{ErrorCode::bad_size, std::move(message), {}};
+  error.where.has_point = has_point;
+  error.where.x = at.x;
+  error.where.y = at.y;
+  return error;
+}
+
+std::optional<Error> judge(const FieldOptions& options) {
+  if (!(options.size == 0 || good_size(options.size)))
+    return bad_size("The mesh size must be a positive number.", {}, false);
+  if (!good_size(options.growth))
+    return bad_size("The growth of sizes must be positive.", {}, false);
+  if (!(std::isfinite(options.coarseness) && options.coarseness >= 0.25))
+    return bad_size("The coarseness of the background must be at least 0.25.", {}, false);
+  for (const SizeSample& s : options.sizes)
+    if (!good_size(s.h) || !is_finite(s.position))
+      return bad_size("A mesh size given at a point must be a positive number.", s.position, true);
+  return std::nullopt;
+}
+
+// Sizes at the vertices as asked for, before any limit; infinite where nothing is asked.
+std::vector<double> asked_sizes(const TriMesh& mesh, const BoundaryMesh& boundary,
+                                const FieldOptions& options) {
+  if (options.size_function) {
+    std::vector<double> h;
+    h.reserve(mesh.points.size());
+    for (const Vec2 p : mesh.points) h.push_back(options.size_function(p));
+    return h;
+  }
+  if (options.size > 0 || !options.sizes.empty())
+    return std::vector<double>(mesh.points.size(), options.size > 0
+                                                       ? options.size
+                                                       : std::numeric_limits<double>::infinity());
+  return harmonic_size(mesh, boundary);
+}
+
+// Each value given at a point holds in its triangle, so that sampling there returns it; the growth
+// limit does the rest.
+void apply_samples(const TriMesh& mesh, const FieldOptions& options, std::span<double> h) {
+  if (options.sizes.empty() || options.size_function) return;
+  const Locator locator(mesh);
+  Index hint = none;
+  for (const SizeSample& s : options.sizes) {
+    const Index t = locator.find_nearest(s.position, hint);
+    if (t == none) continue;
+    for (const Index v : mesh.triangles[t]) h[v] = std::min(h[v], s.h);
+  }
+}
+
+std::optional<Error> complete_sizes(const TriMesh& mesh, const BoundaryMesh& boundary,
+                                    const FieldOptions& options, std::span<double> h) {
+  for (std::size_t v = 0; v < h.size(); ++v)
+    if (!(h[v] > 0) || (options.size_function && !std::isfinite(h[v])))
+      return bad_size("The mesh size is not a positive number here.", mesh.points[v], true);
+  apply_samples(mesh, options, h);
+  limit_by_walls(boundary, h);
+  limit_growth(mesh, options.growth, h);
+  return std::nullopt;
+}
+
+std::vector<double> distance_to_walls(const TriMesh& mesh) {
+  std::vector<double> depth(mesh.points.size(), std::numeric_limits<double>::infinity());
+  std::fill(depth.begin(), depth.begin() + mesh.fixed, 0.0);
+  limit_growth(mesh, 1, depth);
+  return depth;
+}
+
+double interpolate(const TriMesh& mesh, std::span<const double> h, Index t, const double (&w)[3]) {
+  const auto [a, b, c] = mesh.triangles[t];
+  return w[0] * h[a] + w[1] * h[b] + w[2] * h[c];
+}
+
+std::vector<Vec2> crosses(const TriMesh& mesh, const FieldOptions& options) {
+  if (!options.angle_function) return solve_cross_field(mesh);
+  std::vector<Vec2> z;
+  z.reserve(mesh.points.size());
+  for (const Vec2 p : mesh.points) {
+    const auto [s, c] = sin_cos(4 * options.angle_function(p));
+    z.push_back({c, s});
+  }
+  return z;
+}
+
+double extent_of(const BoundaryMesh& boundary) {
+  Vec2 low = boundary.points.front(), high = low;
+  for (const Vec2 p : boundary.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return std::max(high.x - low.x, high.y - low.y);
+}
+
+}  // namespace
+
+Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& options) {
+  if (auto error = judge(options)) return std::move(*error);
+  std::vector<Source> sources;
+  for (const SizeSample& s : options.sizes) sources.push_back({s.position, s.h});
+  BackgroundBuilder builder(boundary, sources,
+                            options.size_function ? function_resolution * extent_of(boundary) : 0);
+  const Result<TriMesh> coarse = builder.coarse();
+  if (!coarse) return coarse.error();
+  std::vector<double> coarse_h = asked_sizes(*coarse, boundary, options);
+  if (auto error = complete_sizes(*coarse, boundary, options, coarse_h)) return std::move(*error);
+
+  const auto size_at = [&](Index t, const double(&weights)[3], Vec2 point) {
+    const double h = interpolate(*coarse, coarse_h, t, weights);
+    if (!options.size_function) return h;
+    const double asked = options.size_function(point);
+    return good_size(asked) ? std::min(h, asked) : h;
+  };
+  const std::vector<double> depth = distance_to_walls(*coarse);
+  const auto largest_leaf = [&](Index t, const double(&weights)[3], Vec2 point) {
+    const double h = size_at(t, weights, point);
+    const double far = interpolate(*coarse, depth, t, weights) / (coarsening_depth * h);
+    return options.coarseness * h * std::sqrt(std::max(far, 1.0));
+  };
+  std::vector<double> interior_h;
+  Result<TriMesh> fine = builder.fine(*coarse, largest_leaf, size_at, interior_h);
+  if (!fine) return fine.error();
+
+  Fields fields;
+  fields.background = std::move(*fine);
+  if (options.size_function || options.size > 0 || !options.sizes.empty()) {
+    fields.h = asked_sizes(fields.background, boundary, options);
+  } else {
+    fields.h.assign(coarse_h.begin(), coarse_h.begin() + boundary.points.size());
+    fields.h.insert(fields.h.end(), interior_h.begin(), interior_h.end());
+  }
+  if (auto error = complete_sizes(fields.background, boundary, options, fields.h))
+    return std::move(*error);
+  fields.z = crosses(fields.background, options);
+  fields.singularities = find_singularities(fields.background, fields.z);
+  fields.attach();
+  return fields;
+}
+
+}  // namespace lpq

@@ -1,0 +1,34 @@
+// Builds the background mesh and solves for both fields.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "base/result.h"
+#include "domain/boundary.h"
+#include "field/field.h"
+
+namespace lpq {
+
+struct SizeSample {
+  Vec2 position;  // unit frame
+  double h = 0;   // unit frame
+};
+
+struct FieldOptions {
+  double size = 0;                             // constant target, 0 = from the boundary spacing
+  std::vector<SizeSample> sizes;               // the caller's values at points (nearest-graded)
+  std::function<double(Vec2)> size_function;   // the caller's callable, unit frame; wins over both
+  std::function<double(Vec2)> angle_function;  // the caller's theta(x); replaces the Laplace solve
+  double growth = 0.3;                         // largest slope of h; > 0
+  double coarseness = 3;  // background spacing in units of h off the walls; more beyond 20 h
+};
+
+/// Background triangulation graded from the boundary, cross field by Laplace's equation on
+/// (cos 4 theta, sin 4 theta) with the walls' directions as Dirichlet data on wall *edges*
+/// (Crouzeix-Raviart unknowns, so a corner never averages two directions), size field by Laplace on
+/// log h from the spacing (or the caller's), limited to the given growth.
+/// Errors: bad_size.  Cost: two sparse Cholesky factorisations of the background.
+Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& options = {});
+
+}  // namespace lpq

@@ -1,0 +1,27 @@
+// How two closed segments lie to each other, decided exactly, and distances to segments.
+#pragma once
+
+#include "geometry/vec.h"
+
+namespace lpq {
+
+enum class Meeting {
+  apart,
+  crossing,     // in one point interior to both
+  touching,     // in one point that is an end of at least one of them
+  overlapping,  // in more than one point (collinear)
+};
+
+/// Exact. Requires a != b and c != d.
+Meeting meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
+
+/// True if p lies on the closed segment, exactly.
+bool on_segment(Vec2 p, Vec2 a, Vec2 b);
+
+/// Where the lines of two crossing segments meet, rounded.
+Vec2 crossing_point(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
+
+/// The point of the closed segment nearest to p, rounded.
+Vec2 closest_point(Vec2 p, Vec2 a, Vec2 b);
+
+}  // namespace lpq

@@ -1,0 +1,21 @@
+# cmake --install: the libraries with their headers for find_package(lpquad), and the command.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(lpq_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lpquad)
+install(TARGETS lpquad lpquad_io EXPORT lpquadTargets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+if(TARGET lpquad_command)
+  install(TARGETS lpquad_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+install(DIRECTORY ${CMAKE_CURRENT_LIST_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lpquad
+  FILES_MATCHING PATTERN "*.h" PATTERN cli EXCLUDE)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/licenses/lpquad)
+
+install(EXPORT lpquadTargets NAMESPACE lpquad:: DESTINATION ${lpq_package_dir})
+file(WRITE ${PROJECT_BINARY_DIR}/lpquadConfig.cmake
+  "include(\${CMAKE_CURRENT_LIST_DIR}/lpquadTargets.cmake)\n")
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/lpquadConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/lpquadConfig.cmake ${PROJECT_BINARY_DIR}/lpquadConfigVersion.cmake
+  DESTINATION ${lpq_package_dir})

@@ -1,0 +1,19 @@
+// Domains as JSON text: {"loops": [[[x, y], ...], ...]} for one region, or
+// {"regions": [{"name": "steel", "loops": [...], "tags": [["inlet", "", ...], ...]}, ...]},
+// with optional "polylines": [{"points": [[x, y], ...], "tag": ""}],
+// "points": [[x, y] or {"position": [x, y], "tag": ""}] and "h": size. Other keys are ignored.
+#pragma once
+
+#include <string_view>
+
+#include "base/result.h"
+#include "domain/domain.h"
+
+namespace lpq {
+
+/// Reads the text and judges its form only; make_domain judges the geometry. Errors: parse_error
+/// and non_finite with line and byte and, in the message, the path of the value; too_large beyond
+/// 1 GiB. Memory grows with the text, never with a number written in it; nesting is limited.
+Result<DomainInput> parse_domain_json(std::string_view text);
+
+}  // namespace lpq

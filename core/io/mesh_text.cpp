@@ -1,0 +1,88 @@
+// See mesh_text.h.
+#include "io/mesh_text.h"
+
+#include <cstddef>
+
+#include "io/number.h"
+#include "mesh/quality.h"
+
+namespace lpq {
+
+LineReader::LineReader(std::string_view text) : text_(text) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text_.substr(0, 3) == byte_order_mark) next_ = start_ = 3;
+}
+
+std::string_view LineReader::next() {
+  start_ = next_;
+  ++line_;
+  const std::size_t end = text_.find('\n', start_);
+  next_ = end == std::string_view::npos ? text_.size() : end + 1;
+  std::string_view line =
+      text_.substr(start_, (end == std::string_view::npos ? next_ : end) - start_);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return line;
+}
+
+Error LineReader::error(std::string message) const {
+  Error error{ErrorCode::parse_error, std::move(message), {}};
+  error.where.line = line_;
+  error.where.byte = static_cast<std::int64_t>(start_);
+  return error;
+}
+
+void Words::split(std::string_view line) {
+  words_.clear();
+  constexpr std::string_view blanks = " \t\v\f\r";
+  std::size_t i = line.find_first_not_of(blanks);
+  while (i != std::string_view::npos && line[i] != '#') {
+    const std::size_t end = line.find_first_of(blanks, i);
+    words_.push_back(line.substr(i, end - i));
+    i = line.find_first_not_of(blanks, end);
+  }
+}
+
+void drop_unused_points(OutputMesh& mesh) {
+  std::vector<Index> number(mesh.points.size(), none);
+  for (const Face& face : mesh.faces)
+    for (int k = 0; k < corner_count(face); ++k) number[face[k]] = 0;
+  std::vector<Vec2> points;
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] == none) continue;
+    number[v] = static_cast<Index>(points.size());
+    points.push_back(mesh.points[v]);
+  }
+  mesh.points = std::move(points);
+  for (Face& face : mesh.faces)
+    for (int k = 0, n = corner_count(face); k < n; ++k) face[k] = number[face[k]];
+  std::vector<OutputEdge> edges;
+  for (OutputEdge edge : mesh.edges) {
+    edge.a = number[edge.a];
+    edge.b = number[edge.b];
+    if (edge.a != none && edge.b != none) edges.push_back(edge);
+  }
+  mesh.edges = std::move(edges);
+  std::vector<OutputPoint> tagged;
+  for (OutputPoint point : mesh.tagged_points) {
+    point.point = number[point.point];
+    if (point.point != none) tagged.push_back(point);
+  }
+  mesh.tagged_points = std::move(tagged);
+}
+
+std::string region_label(const OutputMesh& mesh, Index region) {
+  const auto r = static_cast<std::size_t>(region);
+  if (r < mesh.regions.size() && !mesh.regions[r].empty()) return mesh.regions[r];
+  if (mesh.regions.size() <= 1) return "domain";
+  std::string label = "region ";
+  append_integer(label, std::int64_t{region} + 1);
+  return label;
+}
+
+double output_eta(const OutputMesh& mesh, const Face& face) {
+  if (corner_count(face) == 3) return 0;
+  return quad_eta(mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]],
+                  mesh.points[face[3]]);
+}
+
+}  // namespace lpq

@@ -1,0 +1,53 @@
+// What the mesh readers and writers share: lines and words of a text file, names, used points.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "mesh/output_mesh.h"
+
+namespace lpq {
+
+inline constexpr std::size_t max_names = 10'000;  // groups or physical names read from one file
+
+/// Lines of a text, without their line ends (LF or CRLF) and a leading byte order mark.
+class LineReader {
+ public:
+  explicit LineReader(std::string_view text);
+
+  bool at_end() const { return next_ >= text_.size(); }
+  /// The next line; empty at the end of the text.
+  std::string_view next();
+  std::size_t bytes_left() const { return text_.size() - next_; }
+  /// A parse_error at the line read last.
+  Error error(std::string message) const;
+
+ private:
+  std::string_view text_;
+  std::size_t start_ = 0, next_ = 0;
+  std::int64_t line_ = 0;
+};
+
+/// The words of a line, separated by blanks; a word that starts with '#' ends it.
+class Words {
+ public:
+  void split(std::string_view line);
+  std::size_t size() const { return words_.size(); }
+  std::string_view operator[](std::size_t i) const { return words_[i]; }
+
+ private:
+  std::vector<std::string_view> words_;
+};
+
+/// Renumbers so that every point is a corner of a face; edges and tags of other points vanish.
+void drop_unused_points(OutputMesh& mesh);
+
+/// A region's name, or "region 2" (1-based; "domain" if it is the only one) where it has none.
+std::string region_label(const OutputMesh& mesh, Index region);
+
+/// eta of a quad (mesh/quality.h); 0 for a triangle.
+double output_eta(const OutputMesh& mesh, const Face& face);
+
+}  // namespace lpq

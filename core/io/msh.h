@@ -1,0 +1,25 @@
+// Gmsh's MSH file format, versions 4.1 and 2.2, ASCII (Gmsh reference manual, "MSH file format").
+// Regions become physical surfaces; the 1D mesh is written as line elements, one curve for each
+// run of edges with equal regions, tag and loop, and one physical curve for each name; tagged
+// points become point elements with physical names.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "mesh/output_mesh.h"
+
+namespace lpq {
+
+enum class MshVersion { v2_2, v4_1 };
+
+std::string write_msh(const OutputMesh& mesh, MshVersion version = MshVersion::v4_1);
+
+/// Reads nodes, points, lines, triangles and quads with their physical names, versions 2.0 - 2.2
+/// and 4.1, ASCII. Nodes that no face uses are dropped. Elements of other kinds (also second order)
+/// are an error: they would be silently left out. Memory is bounded by the size of the text,
+/// whatever counts it claims. Errors: parse_error with line and byte.
+Result<OutputMesh> read_msh(std::string_view text);
+
+}  // namespace lpq

@@ -1,0 +1,8 @@
+// The umbrella header: everything a user of the library needs.
+#pragma once
+
+#include "domain/domain.h"
+#include "mesh/output_mesh.h"
+#include "pipeline/mesher.h"
+#include "pipeline/options.h"
+#include "pipeline/report.h"

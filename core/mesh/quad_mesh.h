@@ -1,0 +1,26 @@
+// Quad meshes (with triangles where they were allowed) as flat arrays.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/index.h"
+#include "geometry/vec.h"
+
+namespace lpq {
+
+using Face = std::array<Index, 4>;  // counter-clockwise; slot 3 is none for a triangle
+
+inline int corner_count(const Face& face) { return face[3] == none ? 3 : 4; }
+
+struct QuadMesh {
+  std::vector<Vec2> points;    // #V  unit-frame coordinates; 0 .. fixed-1 never move
+  std::vector<Face> faces;     // #F
+  std::vector<Index> region;   // #F  region of the domain
+  Index fixed = 0;             // vertices of the 1D mesh come first
+  // Walls inside the domain (constraint edges, region borders): no operation may merge or flip
+  // across them. Outer boundary edges need no entry: they have one face only.
+  std::vector<std::array<Index, 2>> walls;  // #W  a < b, sorted
+};
+
+}  // namespace lpq

@@ -1,0 +1,162 @@
+// Quality measures. eta asks for the largest deviation of an interior angle from a right angle:
+// with c = |e1 x e2| and d = e1 . e2 at a corner, |pi/2 - alpha| = atan(|d| / c) while c > 0, so
+// the worst corner is the one of largest |d| / c and a single arc tangent is enough. A corner with
+// c <= 0 has alpha = 0 or alpha >= pi, hence eta = 0. All figures cost O(#F) but the percentile,
+// which sorts.
+#include "mesh/quality.h"
+
+#include <algorithm>
+
+#include "base/csr.h"
+#include "geometry/predicates.h"
+#include "numerics/elementary.h"
+
+namespace lpq {
+namespace {
+
+/// Neighbours of every vertex with a higher index, once per face that has the edge.
+Csr<Index> higher_neighbours(const QuadMesh& mesh) {
+  Csr<Index> result;
+  result.offsets.assign(mesh.points.size() + 1, 0);
+  const auto for_each_edge = [&](auto&& visit) {
+    for (const Face& face : mesh.faces) {
+      const int corners = corner_count(face);
+      for (int k = 0; k < corners; ++k) {
+        const Index a = face[k], b = face[(k + 1) % corners];
+        visit(std::min(a, b), std::max(a, b));
+      }
+    }
+  };
+  for_each_edge([&](Index a, Index) { ++result.offsets[a + 1]; });
+  for (std::size_t i = 1; i < result.offsets.size(); ++i)
+    result.offsets[i] += result.offsets[i - 1];
+  result.values.resize(static_cast<std::size_t>(result.offsets.back()));
+  std::vector<Index> next(result.offsets.begin(), result.offsets.end() - 1);
+  for_each_edge([&](Index a, Index b) { result.values[next[a]++] = b; });
+  for (Index v = 0; v < result.rows(); ++v) std::sort(result.row(v).begin(), result.row(v).end());
+  return result;
+}
+
+struct VertexEdges {
+  std::vector<Index> valence;  // edges at the vertex, 0 if unused
+  std::vector<char> on_rim;    // on an edge with exactly one face
+};
+
+VertexEdges vertex_edges(const QuadMesh& mesh) {
+  VertexEdges result;
+  result.valence.assign(mesh.points.size(), 0);
+  result.on_rim.assign(mesh.points.size(), 0);
+  const Csr<Index> neighbours = higher_neighbours(mesh);
+  for (Index a = 0; a < neighbours.rows(); ++a) {
+    const auto row = neighbours.row(a);
+    for (std::size_t i = 0, run = 0; i < row.size(); i += run) {
+      for (run = 1; i + run < row.size() && row[i + run] == row[i];) ++run;
+      const Index b = row[i];
+      ++result.valence[a];
+      ++result.valence[b];
+      if (run == 1) result.on_rim[a] = result.on_rim[b] = 1;
+    }
+  }
+  return result;
+}
+
+/// Linear interpolation between order statistics; `sorted` is not empty.
+double percentile(const std::vector<double>& sorted, double share) {
+  const double position = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(position);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (position - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+void judge_quad(QuadQuality& quality, std::vector<double>& etas, std::array<Vec2, 4> corner) {
+  const double area = cross(corner[2] - corner[0], corner[3] - corner[1]);
+  if (!(area > 0)) ++quality.inverted;
+  // Angles are those of the quad turned to positive area; that it was inverted is counted above.
+  if (area < 0) std::swap(corner[1], corner[3]);
+  bool convex = true;
+  for (Index k = 0; k < 4; ++k)
+    convex = convex && orient2d(corner[prev_in_quad(k)], corner[k], corner[next_in_quad(k)]) > 0;
+  if (!convex) ++quality.nonconvex;
+  const double eta = quad_eta(corner[0], corner[1], corner[2], corner[3]);
+  etas.push_back(eta);
+  ++quality.eta_histogram[std::min<std::size_t>(19, static_cast<std::size_t>(eta * 20))];
+}
+
+void count_valences(QuadQuality& quality, const QuadMesh& mesh) {
+  const VertexEdges edges = vertex_edges(mesh);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    if (edges.valence[v] == 0 || edges.on_rim[v]) continue;
+    ++quality.interior_vertices;
+    if (edges.valence[v] == 4) ++quality.regular_vertices;
+    ++quality.valence_histogram[std::min<Index>(9, edges.valence[v])];
+  }
+  if (quality.interior_vertices > 0)
+    quality.four_valent_percent = 100.0 * quality.regular_vertices / quality.interior_vertices;
+}
+
+}  // namespace
+
+double quad_eta(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const Vec2 side[4] = {b - a, c - b, d - c, a - d};
+  double worst_cross = 1, worst_dot = 0, worst_ratio = 0;
+  for (int k = 0; k < 4; ++k) {
+    const Vec2 before = side[(k + 3) & 3];
+    const double sine = cross(before, side[k]);
+    if (!(sine > 0)) return 0;
+    const double cosine = std::abs(dot(before, side[k]));
+    const double ratio = cosine / sine;
+    if (ratio > worst_ratio) worst_ratio = ratio, worst_cross = sine, worst_dot = cosine;
+  }
+  return std::max(1 - 2 / pi * arc_tangent(worst_dot, worst_cross), 0.0);
+}
+
+double face_eta(const QuadMesh& mesh, const Face& face) {
+  if (corner_count(face) == 3) return 0;
+  return quad_eta(mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]],
+                  mesh.points[face[3]]);
+}
+
+double tau(const TriMesh& mesh) {
+  double sum = 0;
+  for (const Tri& t : mesh.triangles) {
+    const Vec2 side[3] = {mesh.points[t[1]] - mesh.points[t[0]],
+                          mesh.points[t[2]] - mesh.points[t[1]],
+                          mesh.points[t[0]] - mesh.points[t[2]]};
+    const double twice_area = std::abs(cross(side[0], side[1]));
+    double largest = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double product = length(side[k]) * length(side[(k + 1) % 3]);
+      if (product > 0) largest = std::max(largest, std::min(twice_area / product, 1.0));
+    }
+    sum += largest;
+  }
+  return mesh.triangles.empty() ? 0 : sum / static_cast<double>(mesh.triangles.size());
+}
+
+QuadQuality quad_quality(const QuadMesh& mesh) {
+  QuadQuality quality;
+  std::vector<double> etas;
+  etas.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) {
+    const Vec2 a = mesh.points[face[0]], b = mesh.points[face[1]], c = mesh.points[face[2]];
+    if (corner_count(face) == 4) {
+      judge_quad(quality, etas, {a, b, c, mesh.points[face[3]]});
+    } else {
+      ++quality.triangles;
+      if (!(cross(b - a, c - a) > 0)) ++quality.inverted;
+    }
+  }
+  quality.quads = static_cast<Index>(etas.size());
+  if (!etas.empty()) {
+    double sum = 0;
+    for (double eta : etas) sum += eta;
+    quality.eta_mean = sum / static_cast<double>(etas.size());
+    std::sort(etas.begin(), etas.end());
+    quality.eta_min = etas.front();
+    quality.eta_p5 = percentile(etas, 0.05);
+  }
+  count_valences(quality, mesh);
+  return quality;
+}
+
+}  // namespace lpq

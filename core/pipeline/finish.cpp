@@ -1,0 +1,110 @@
+#include "pipeline/finish.h"
+
+#include <algorithm>
+#include <span>
+
+#include "base/hash.h"
+
+namespace lpq {
+namespace {
+
+// New number of every vertex: nodes by their rank in the caller's order, then used free vertices.
+std::vector<Index> output_numbers(const QuadMesh& mesh, const BoundaryMesh& boundary) {
+  std::vector<char> used(mesh.points.size(), 0);
+  for (const Face& face : mesh.faces)
+    for (int k = 0; k < corner_count(face); ++k) used[face[k]] = 1;
+  std::vector<Index> number(mesh.points.size(), none);
+  Index next = mesh.fixed;
+  for (Index v = 0; v < static_cast<Index>(mesh.points.size()); ++v)
+    if (v < mesh.fixed)
+      number[v] = boundary.output_rank[v];
+    else if (used[v])
+      number[v] = next++;
+  return number;
+}
+
+std::vector<OutputEdge> output_edges(const BoundaryMesh& boundary) {
+  std::vector<OutputEdge> edges;
+  edges.reserve(boundary.edges.size());
+  for (const Segment& s : boundary.edges)
+    edges.push_back({boundary.output_rank[s.a], boundary.output_rank[s.b], s.left, s.right, s.tag,
+                     s.region, s.loop, s.edge});
+  return edges;
+}
+
+}  // namespace
+
+OutputMesh to_output(const QuadMesh& mesh, const Domain& domain, const BoundaryMesh& boundary) {
+  const std::vector<Index> number = output_numbers(mesh, boundary);
+  OutputMesh out;
+  out.fixed = mesh.fixed;
+  out.regions = domain.regions;
+  out.tags = domain.tags;
+  out.edges = output_edges(boundary);
+  out.region = mesh.region;
+
+  const Index count = std::max(
+      mesh.fixed, number.empty() ? 0 : *std::max_element(number.begin(), number.end()) + 1);
+  out.points.resize(static_cast<std::size_t>(count));
+  for (Index v = 0; v < static_cast<Index>(mesh.points.size()); ++v)
+    if (number[v] != none)
+      out.points[number[v]] =
+          v < mesh.fixed ? boundary.world[v] : domain.frame.to_world(mesh.points[v]);
+
+  out.faces.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) {
+    Face renumbered = face;
+    for (int k = 0; k < corner_count(face); ++k) renumbered[k] = number[face[k]];
+    out.faces.push_back(renumbered);
+  }
+  for (Index v = 0; v < mesh.fixed; ++v)
+    if (const Index source = boundary.source[v]; source != none && domain.point_tag[source] != none)
+      out.tagged_points.push_back({number[v], domain.point_tag[source]});
+  return out;
+}
+
+std::vector<Violation> check_output(const OutputMesh& mesh) {
+  QuadMesh plain;
+  plain.points = mesh.points;
+  plain.faces = mesh.faces;
+  plain.region = mesh.region;
+  plain.fixed = mesh.fixed;
+  std::vector<std::array<Index, 2>> outline;
+  for (const OutputEdge& e : mesh.edges) {
+    if (e.left != none && e.right == none) outline.push_back({e.a, e.b});
+    if (e.left == none && e.right != none) outline.push_back({e.b, e.a});
+    if (e.left != none && e.right != none)
+      plain.walls.push_back({std::min(e.a, e.b), std::max(e.a, e.b)});
+  }
+  std::sort(plain.walls.begin(), plain.walls.end());
+  return validate(plain, {outline});
+}
+
+SizeFidelity size_fidelity(const QuadMesh& mesh, const Fields& fields) {
+  std::vector<double> ratios;
+  ratios.reserve(mesh.faces.size() * 4);
+  Index hint = none;
+  for (const Face& face : mesh.faces) {
+    const int corners = corner_count(face);
+    for (int k = 0; k < corners; ++k) {
+      const Vec2 a = mesh.points[face[k]], b = mesh.points[face[(k + 1) % corners]];
+      ratios.push_back(length(b - a) / fields.size(midpoint(a, b), hint));
+    }
+  }
+  SizeFidelity fidelity;
+  if (ratios.empty()) return fidelity;
+  std::sort(ratios.begin(), ratios.end());
+  const auto quantile = [&](double q) {
+    return ratios[static_cast<std::size_t>(q * static_cast<double>(ratios.size() - 1))];
+  };
+  return {quantile(0.1), quantile(0.5), quantile(0.9), ratios.front(), ratios.back()};
+}
+
+std::uint64_t output_hash(const OutputMesh& mesh) {
+  Fnv1a hash;
+  hash.add(std::span<const Vec2>(mesh.points));
+  hash.add(std::span<const Face>(mesh.faces));
+  return hash.value();
+}
+
+}  // namespace lpq

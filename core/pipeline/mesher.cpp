@@ -1,0 +1,312 @@
+#include "pipeline/mesher.h"
+
+#include <ctime>
+
+#include "cleanup/cleanup.h"
+#include "delaunay/delaunay.h"
+#include "lpcvt/seeds.h"
+#include "pipeline/finish.h"
+#include "recombine/recombine.h"
+#include "recombine/subdivide.h"
+
+namespace lpq {
+namespace {
+
+// Iterations of L_p when the caller leaves the choice to us: "eighty iterations are usually
+// sufficient" (paper section 3.3.3); an aligned start is already where L_p would lead.
+constexpr int isotropic_iterations = 80;
+
+// Adds the CPU time of a scope to the report, under one name per stage.
+class StageTimer {
+ public:
+  StageTimer(Report& report, const char* stage)
+      : report_(report), stage_(stage), start_(std::clock()) {}
+  ~StageTimer() {
+    const double seconds = static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC;
+    for (StageTime& time : report_.times)
+      if (time.stage == stage_) {
+        time.cpu_seconds += seconds;
+        return;
+      }
+    report_.times.push_back({stage_, seconds});
+  }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+ private:
+  Report& report_;
+  const char* stage_;
+  std::clock_t start_;
+};
+
+const char* seeds_name(Seeds seeds) { return seeds == Seeds::isotropic ? "isotropic" : "aligned"; }
+
+// Of two valid meshes the one with fewer triangles, then the better mix of shape and regularity.
+bool better(const QuadQuality& a, const QuadQuality& b) {
+  if (a.triangles != b.triangles) return a.triangles < b.triangles;
+  return a.eta_mean + 0.01 * a.four_valent_percent > b.eta_mean + 0.01 * b.four_valent_percent;
+}
+
+Error describe(const std::vector<Violation>& violations) {
+  const Violation& first = violations.front();
+  Error error;
+  error.code = ErrorCode::no_valid_mesh;
+  error.message = "No valid mesh was found: " + first.what +
+                  ". Try a smaller size, or let the boundary be refined instead of kept.";
+  error.where.has_point = true;
+  error.where.x = first.point.x;
+  error.where.y = first.point.y;
+  return error;
+}
+
+}  // namespace
+
+const char* stage_name(Stage stage) {
+  switch (stage) {
+    case Stage::seeds: return "seeds";
+    case Stage::optimise: return "optimise";
+    case Stage::match: return "match";
+    case Stage::clean: return "clean";
+    case Stage::check: return "check";
+    case Stage::done: return "done";
+  }
+  return "";
+}
+
+Result<Mesher> Mesher::start(const DomainInput& input, const Options& options,
+                             const UserFields& user) {
+  Mesher mesher;
+  mesher.options_ = options;
+  {
+    const StageTimer timer(mesher.report_, "prepare");
+    auto prepared = prepare(input, options, user);
+    if (!prepared) return prepared.error();
+    mesher.prepared_ = std::make_shared<const Preparation>(std::move(*prepared));
+  }
+  const Preparation& p = *mesher.prepared_;
+  Report& report = mesher.report_;
+  report.boundary_nodes = static_cast<Index>(p.boundary.points.size());
+  report.boundary_edges = static_cast<Index>(p.boundary.edges.size());
+  report.singularities = p.fields.singularities;
+  report.simplify_deviation = p.domain.frame.length_to_world(p.boundary.simplify_deviation);
+  report.warnings = p.domain.warnings;
+  report.warnings.insert(report.warnings.end(), p.boundary.warnings.begin(),
+                         p.boundary.warnings.end());
+  mesher.plan_attempts();
+  return mesher;
+}
+
+void Mesher::plan_attempts() {
+  const bool paper = options_.method == Method::paper;
+  Seeds seeds = options_.seeds;
+  if (seeds == Seeds::automatic) seeds = paper ? Seeds::isotropic : Seeds::aligned;
+  const bool isotropic = seeds == Seeds::isotropic;
+  const int asked = options_.iterations;
+  if (isotropic || paper) {
+    attempts_.push_back({.seeds = seeds, .iterations = asked < 0 ? isotropic_iterations : asked});
+  } else {
+    // L_p can undo a good aligned start: with it and without it, the better mesh is kept.
+    attempts_.push_back({.seeds = seeds});
+    if (asked > 0) attempts_.push_back({.seeds = seeds, .iterations = asked, .alternative = true});
+  }
+  attempts_.push_back({.seeds = Seeds::aligned, .size_factor = 0.75});
+  if (options_.keep_boundary)
+    attempts_.push_back({.seeds = Seeds::isotropic, .iterations = 20, .size_factor = 0.6});
+  else
+    attempts_.push_back({.seeds = Seeds::isotropic, .size_factor = 1.5, .subdivide = true});
+}
+
+const UnitFrame& Mesher::frame() const { return prepared_->domain.frame; }
+const Fields& Mesher::fields() const { return *fields_; }
+const BoundaryMesh& Mesher::boundary() const { return prepared_->boundary; }
+
+void Mesher::set_trace(Trace* trace) {
+  trace_ = trace;
+  if (trace_ == nullptr) return;
+  trace_->frame = frame();
+  trace_->norm = options_.norm;
+  trace_->fields = prepared_->fields;
+}
+
+Result<Stage> Mesher::step(int iterations) {
+  switch (stage_) {
+    case Stage::seeds: return make_seeds();
+    case Stage::optimise: optimise(iterations); break;
+    case Stage::match: match(); break;
+    case Stage::clean: clean(); break;
+    case Stage::check: return check();
+    case Stage::done: break;
+  }
+  return stage_;
+}
+
+Result<Stage> Mesher::make_seeds() {
+  const StageTimer timer(report_, "seeds");
+  const BoundaryMesh& nodes = boundary();
+  fields_ = attempt().size_factor == 1
+                ? std::shared_ptr<const Fields>(prepared_, &prepared_->fields)
+                : std::make_shared<const Fields>(
+                      with_scaled_size(prepared_->fields, attempt().size_factor));
+  SeedOptions seed_options;
+  seed_options.seed = options_.seed;
+  seed_options.max_points = options_.max_elements;
+  seeds_ = attempt().seeds == Seeds::isotropic ? isotropic_seeds(nodes, *fields_, seed_options)
+                                               : aligned_seeds(nodes, *fields_, seed_options);
+  if (static_cast<Index>(seeds_.size()) >= options_.max_elements)
+    return Error{ErrorCode::too_many_elements,
+                 "The graded size field asks for more than " +
+                     std::to_string(options_.max_elements) +
+                     " elements. Use a larger size or growth, or raise maxElements.",
+                 {}};
+  report_.seeds = static_cast<Index>(seeds_.size());
+  report_.expected_seeds = expected_interior_points(nodes, *fields_);
+  report_.chain = seeds_name(attempt().seeds);
+  if (trace_ != nullptr) trace_->seeds = seeds_;
+
+  if (attempt().iterations > 0) {
+    LpOptions lp;
+    lp.energy.p = options_.norm;
+    lp.max_iterations = attempt().iterations;
+    auto optimizer = LpOptimizer::start(nodes, *fields_, seeds_, lp);
+    if (!optimizer) return next_attempt(optimizer.error());
+    optimizer_ = std::move(*optimizer);
+    triangles_ = optimizer_->mesh();
+    stage_ = Stage::optimise;
+    report_.chain += " + L_p";
+  } else {
+    auto triangles = triangulate(nodes, seeds_);
+    if (!triangles) return next_attempt(triangles.error());
+    triangles_ = std::move(*triangles);
+    stage_ = Stage::match;
+  }
+  if (trace_ != nullptr) trace_->start = triangles_;
+  return stage_;
+}
+
+void Mesher::optimise(int iterations) {
+  const StageTimer timer(report_, "optimise");
+  const LpStatus status = optimizer_->step(iterations);
+  triangles_ = optimizer_->mesh();
+  if (status == LpStatus::running) return;
+  report_.lp_status = status;
+  report_.energy_history = optimizer_->energy_history();
+  report_.gradient_norm_history = optimizer_->gradient_norm_history();
+  optimizer_.reset();
+  stage_ = Stage::match;
+}
+
+void Mesher::match() {
+  const StageTimer timer(report_, "match");
+  report_.tau = tau(triangles_);
+  stage_ = Stage::clean;
+  if (trace_ != nullptr) {
+    trace_->triangles = triangles_;
+    EnergyWorkspace workspace;
+    EnergyOptions energy;
+    energy.p = options_.norm;
+    trace_->gradient.assign(triangles_.points.size(), {});
+    trace_->energy = lp_energy(triangles_, *fields_, energy, workspace, trace_->gradient);
+    clip_voronoi(triangles_, trace_->cells);
+    trace_->cell_energy = workspace.cell_energy;
+    trace_->cell_area = workspace.cell_area;
+  }
+  if (attempt().subdivide) {
+    quads_ = subdivide_triangles(triangles_, boundary(), frame());
+    report_.chain += " + subdivision";
+    return;
+  }
+  RecombineOptions recombine_options;
+  recombine_options.all_quads = options_.elements == Elements::quad;
+  recombine_options.keep_matching = trace_ != nullptr;
+  if (options_.method == Method::paper) recombine_options.alignment_weight = 0;
+  RecombineResult result = recombine(triangles_, *fields_, recombine_options);
+  quads_ = std::move(result.mesh);
+  report_.extra_edges = result.extra_edges;
+  report_.matching_cost = result.cost;
+  report_.chain += " + matching";
+  if (trace_ == nullptr) return;
+  trace_->matched_triangles = std::move(result.triangulation);
+  trace_->graph = std::move(result.graph);
+  trace_->matching = std::move(result.matching);
+  trace_->quads.push_back({"matched", quads_});
+}
+
+void Mesher::clean() {
+  const StageTimer timer(report_, "clean");
+  CleanupOptions cleanup;
+  cleanup.smoothing_iterations = options_.smoothing;
+  // The paper's chain ends in a smoothing of positions only. Deviation: of eta, not Laplacian
+  // (mean eta 0.93 against 0.89 on the benchmark domains).
+  cleanup.topology = options_.method == Method::best || attempt_ > 0;
+  quads_ = clean_up(std::move(quads_), *fields_, cleanup).mesh;
+  if (trace_ != nullptr) trace_->quads.push_back({"cleaned", quads_});
+  report_.chain += " + clean-up";
+  stage_ = Stage::check;
+}
+
+Result<Stage> Mesher::check() {
+  const StageTimer timer(report_, "check");
+  const BoundaryMesh& nodes = boundary();
+  output_ = to_output(quads_, prepared_->domain,
+                      attempt().subdivide ? halve_edges(nodes, frame()) : nodes);
+  if (const std::vector<Violation> violations = check_output(output_); !violations.empty())
+    return next_attempt(describe(violations));
+
+  report_.quality = quad_quality(quads_);
+  if (options_.elements == Elements::quad && report_.quality.triangles > 0)
+    return next_attempt(
+        {ErrorCode::no_valid_mesh,
+         std::to_string(report_.quality.triangles) + " triangles could not be paired into quads.",
+         {}});
+  report_.interior_vertices = static_cast<Index>(output_.points.size()) - output_.fixed;
+  report_.size = size_fidelity(quads_, prepared_->fields);
+  report_.hash = output_hash(output_);
+  keep_better({quads_, output_, report_});
+  if (attempt_ + 1 < attempts_.size() && attempts_[attempt_ + 1].alternative) {
+    ++attempt_;
+    return stage_ = Stage::seeds;
+  }
+  quads_ = kept_->quads;
+  output_ = kept_->output;
+  const auto times = report_.times;
+  report_ = kept_->report;
+  report_.times = times;
+  return stage_ = Stage::done;
+}
+
+void Mesher::keep_better(Candidate candidate) {
+  if (!kept_ || better(candidate.report.quality, kept_->report.quality))
+    kept_ = std::move(candidate);
+}
+
+Result<Stage> Mesher::next_attempt(const Error& failure) {
+  if (kept_) {  // an alternative failed; what was kept is the result
+    quads_ = kept_->quads;
+    output_ = kept_->output;
+    report_ = kept_->report;
+    return stage_ = Stage::done;
+  }
+  Warning warning = failure;
+  warning.message = "The chain '" + report_.chain + "' did not pass: " + failure.message;
+  report_.warnings.push_back(warning);
+  if (++attempt_ == attempts_.size()) return failure;
+  ++report_.attempts;
+  optimizer_.reset();
+  return stage_ = Stage::seeds;
+}
+
+Result<Outcome> mesh_domain(const DomainInput& input, const Options& options, Monitor monitor,
+                            Trace* trace, const UserFields& user) {
+  auto mesher = Mesher::start(input, options, user);
+  if (!mesher) return mesher.error();
+  mesher->set_trace(trace);
+  while (mesher->stage() != Stage::done) {
+    const Progress progress{stage_name(mesher->stage()), mesher->iterations(),
+                            mesher->max_iterations(), mesher->energy()};
+    if (!monitor(progress)) return Error{ErrorCode::cancelled, "The run was cancelled.", {}};
+    if (const auto stage = mesher->step(); !stage) return stage.error();
+  }
+  return Outcome{mesher->output(), mesher->report()};
+}
+
+}  // namespace lpq

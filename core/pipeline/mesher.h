@@ -1,0 +1,100 @@
+// The order of the stages, and nothing else: fields, seeds, L_p, matching, clean-up, final check.
+// A Mesher is a copyable value that advances in small steps; a batch run is a loop around it.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "base/monitor.h"
+#include "base/result.h"
+#include "domain/domain.h"
+#include "mesh/output_mesh.h"
+#include "pipeline/options.h"
+#include "pipeline/prepare.h"
+#include "pipeline/report.h"
+#include "pipeline/trace.h"
+
+namespace lpq {
+
+enum class Stage { seeds, optimise, match, clean, check, done };
+const char* stage_name(Stage stage);
+
+class Mesher {
+ public:
+  /// Judges the input, makes the 1D mesh and both fields.
+  /// Errors: those of make_domain, sample_boundary, make_fields; bad_option; too_many_elements.
+  static Result<Mesher> start(const DomainInput& input, const Options& options = {},
+                              const UserFields& user = {});
+
+  /// Advances by one stage, or by `iterations` iterations inside the L_p stage. After the call
+  /// stage() is what comes next. Errors: no_valid_mesh, lost_precision.
+  Result<Stage> step(int iterations = 1);
+
+  Stage stage() const { return stage_; }
+  const Report& report() const { return report_; }
+  int iterations() const { return optimizer_ ? optimizer_->iterations() : 0; }  // of L_p, so far
+  int max_iterations() const { return attempt().iterations; }
+  double energy() const { return optimizer_ ? optimizer_->energy() : 0; }
+  const UnitFrame& frame() const;
+  const Fields& fields() const;
+  const BoundaryMesh& boundary() const;
+  const TriMesh& triangles() const { return triangles_; }  // current triangulation
+  const QuadMesh& quads() const { return quads_; }         // current quads, once matched
+  const OutputMesh& output() const { return output_; }     // once done
+
+  /// Fills `trace` as the stages run; it must outlive the mesher (nullptr: no trace).
+  void set_trace(Trace* trace);
+
+ private:
+  // One chain of stages. The first is what was asked for; the others are tried only when the final
+  // check finds the mesh wanting.
+  struct Attempt {
+    Seeds seeds = Seeds::aligned;
+    int iterations = 0;
+    double size_factor = 1;
+    bool subdivide = false;    // three quads per triangle: always valid, never pretty
+    bool alternative = false;  // run even when the one before passed; the better mesh is kept
+  };
+  struct Candidate {
+    QuadMesh quads;
+    OutputMesh output;
+    Report report;
+  };
+
+  void plan_attempts();
+  const Attempt& attempt() const { return attempts_[attempt_]; }
+  Result<Stage> make_seeds();
+  void optimise(int iterations);
+  void match();
+  void clean();
+  Result<Stage> check();
+  Result<Stage> next_attempt(const Error& failure);
+  void keep_better(Candidate candidate);
+
+  std::shared_ptr<const Preparation> prepared_;
+  std::shared_ptr<const Fields> fields_;  // of the current attempt
+  Options options_;
+  Stage stage_ = Stage::seeds;
+  std::vector<Attempt> attempts_;
+  std::size_t attempt_ = 0;
+  std::optional<LpOptimizer> optimizer_;
+  std::vector<Vec2> seeds_;
+  TriMesh triangles_;
+  QuadMesh quads_;
+  OutputMesh output_;
+  Report report_;
+  std::optional<Candidate> kept_;
+  Trace* trace_ = nullptr;
+};
+
+struct Outcome {
+  OutputMesh mesh;
+  Report report;
+};
+
+/// The whole run. `monitor` is asked between steps; stopping gives the error `cancelled`.
+Result<Outcome> mesh_domain(const DomainInput& input, const Options& options = {},
+                            Monitor monitor = {}, Trace* trace = nullptr,
+                            const UserFields& user = {});
+
+}  // namespace lpq

@@ -1,0 +1,102 @@
+// Every option of a run, declared once: name, default, range, unit and help.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "base/fields.h"
+#include "geometry/vec.h"
+
+namespace lpq {
+
+enum class Method { best, paper };
+enum class Elements { quad, quad_dominant };
+enum class Seeds { automatic, aligned, isotropic };
+
+template <>
+struct ChoiceNames<Method> {
+  static constexpr std::array<const char*, 2> names{"best", "paper"};
+};
+template <>
+struct ChoiceNames<Elements> {
+  static constexpr std::array<const char*, 2> names{"quad", "quad-dominant"};
+};
+template <>
+struct ChoiceNames<Seeds> {
+  static constexpr std::array<const char*, 3> names{"automatic", "aligned", "isotropic"};
+};
+
+struct Options {
+  double size = 0;
+  bool keep_boundary = false;
+  Elements elements = Elements::quad;
+  Method method = Method::best;
+  Seeds seeds = Seeds::automatic;
+  double norm = 6;
+  int iterations = -1;
+  std::uint64_t seed = 1;
+  double growth = 0.3;
+  double simplify = 0;
+  bool allow_added_point = false;
+  bool strict = false;
+  int smoothing = 100;
+  int max_elements = 10'000'000;
+};
+
+/// What the caller knows about size and direction, in the caller's units; all optional.
+struct UserFields {
+  struct SizeAt {
+    Vec2 position;
+    double h = 0;
+  };
+  std::vector<SizeAt> sizes;          // target size at points
+  std::function<double(Vec2)> size;   // target size anywhere; wins over `sizes` and Options::size
+  std::function<double(Vec2)> angle;  // direction of the crosses, radians; replaces the solve
+};
+
+template <class O, class F>
+void each_field(O& o, F&& visit) {
+  visit("size", o.size,
+        FieldInfo{0, 1e300, "length",
+                  "Target edge length; 0 takes the domain's own h, or the boundary's spacing when "
+                  "it is kept."});
+  visit("keepBoundary", o.keep_boundary,
+        FieldInfo{0, 1, "", "The given points are the boundary mesh and come back bit for bit."});
+  visit("elements", o.elements,
+        FieldInfo{
+            0, 1, "",
+            "quad: no triangle at all; quad-dominant: a triangle may stay where it is better."});
+  visit("method", o.method,
+        FieldInfo{0, 1, "",
+                  "best: the chain of stages that measures best; paper: isotropic start, L_p, "
+                  "Blossom, smoothing."});
+  visit(
+      "seeds", o.seeds,
+      FieldInfo{
+          0, 2, "",
+          "Initial points: aligned with the cross field, isotropic, or what the method prefers."});
+  visit("norm", o.norm, FieldInfo{2, 20, "", "Exponent p of the L_p energy."});
+  visit(
+      "iterations", o.iterations,
+      FieldInfo{-1, 100000, "",
+                "L-BFGS iterations; -1 is 80 for an isotropic start and none for an aligned one."});
+  visit("seed", o.seed,
+        FieldInfo{0, 9007199254740991.0, "", "Seed of the isotropic start's jitter."});
+  visit("growth", o.growth, FieldInfo{0.01, 10, "", "Largest slope of the size field."});
+  visit("simplify", o.simplify,
+        FieldInfo{0, 1e300, "length",
+                  "Boundary vertices may be dropped when the outline moves by at most this (not "
+                  "with keepBoundary)."});
+  visit("allowAddedPoint", o.allow_added_point,
+        FieldInfo{0, 1, "", "A kept boundary with an odd count may get one added point."});
+  visit("strict", o.strict,
+        FieldInfo{0, 1, "",
+                  "Repeated consecutive points are an error instead of merged with a warning."});
+  visit("smoothing", o.smoothing, FieldInfo{0, 10000, "", "Iterations of the final smoothing."});
+  visit("maxElements", o.max_elements,
+        FieldInfo{1, 100'000'000, "",
+                  "Refuse before allocating when more elements than this are expected."});
+}
+
+}  // namespace lpq

@@ -1,0 +1,113 @@
+#include "pipeline/prepare.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "field/make_fields.h"
+
+namespace lpq {
+namespace {
+
+// A domain that comes without any size gets about this many quads.
+constexpr double default_quads = 1000;
+
+Error size_error(std::string message) { return {ErrorCode::bad_size, std::move(message), {}}; }
+
+double diagonal(const Domain& domain) {
+  Vec2 lo = domain.points[0], hi = lo;
+  for (const Vec2 p : domain.points) {
+    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
+    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
+  }
+  return length(hi - lo);
+}
+
+// The constant target in the unit frame; 0 means: follow the kept boundary's spacing.
+double target_size(const Domain& domain, const Options& options) {
+  if (options.size > 0) return domain.frame.length_to_frame(options.size);
+  if (options.keep_boundary) return 0;
+  if (domain.h > 0) return domain.h;
+  return std::sqrt(domain.area / default_quads);
+}
+
+Result<double> judge_size(const Domain& domain, const Options& options) {
+  const double size = target_size(domain, options);
+  if (size > diagonal(domain))
+    return size_error("The mesh size " + std::to_string(domain.frame.length_to_world(size)) +
+                      " is larger than the whole domain (diagonal " +
+                      std::to_string(domain.frame.length_to_world(diagonal(domain))) +
+                      "). Check the unit of length.");
+  const double estimate = size > 0 ? domain.area / (size * size) : 0;
+  if (estimate > options.max_elements)
+    return Error{
+        ErrorCode::too_many_elements,
+        "About " + std::to_string(estimate) + " elements would be needed, more than the limit of " +
+            std::to_string(options.max_elements) + ". Use a larger size or raise maxElements.",
+        {}};
+  return size;
+}
+
+BoundaryOptions boundary_options(const Domain& domain, const Options& options, double size) {
+  return {.keep = options.keep_boundary,
+          .size = size,
+          .growth = options.growth,
+          .simplify_tolerance = domain.frame.length_to_frame(options.simplify),
+          .require_even = options.elements == Elements::quad,
+          .allow_added_point = options.allow_added_point,
+          // a quad has four edges: more nodes than that mean more elements than allowed
+          .max_nodes = std::min(BoundaryOptions{}.max_nodes, Index{4} * options.max_elements)};
+}
+
+// The caller's fields, moved into the unit frame.
+FieldOptions field_options(const UnitFrame& frame, const Options& options, const UserFields& user,
+                           double size) {
+  FieldOptions fields;
+  fields.size = size;
+  fields.growth = options.growth;
+  for (const UserFields::SizeAt& s : user.sizes)
+    fields.sizes.push_back({frame.to_frame(s.position), frame.length_to_frame(s.h)});
+  if (user.size)
+    fields.size_function = [frame, size_at = user.size](Vec2 p) {
+      return frame.length_to_frame(size_at(frame.to_world(p)));
+    };
+  if (user.angle)
+    fields.angle_function = [frame, angle_at = user.angle](Vec2 p) {
+      return angle_at(frame.to_world(p));
+    };
+  return fields;
+}
+
+}  // namespace
+
+Result<Preparation> prepare(const DomainInput& input, const Options& options,
+                            const UserFields& user) {
+  if (!(options.size >= 0) || std::isinf(options.size))
+    return size_error("The mesh size must be a positive finite number, or 0 for the domain's own.");
+  if (const auto ranges = check_ranges(options); !ranges) return ranges.error();
+
+  Preparation prepared;
+  auto domain = make_domain(input, {.strict = options.strict});
+  if (!domain) return domain.error();
+  prepared.domain = std::move(*domain);
+
+  const auto size = judge_size(prepared.domain, options);
+  if (!size) return size.error();
+  auto boundary =
+      sample_boundary(prepared.domain, boundary_options(prepared.domain, options, *size));
+  if (!boundary) return boundary.error();
+  prepared.boundary = std::move(*boundary);
+
+  auto fields =
+      make_fields(prepared.boundary, field_options(prepared.domain.frame, options, user, *size));
+  if (!fields) return fields.error();
+  prepared.fields = std::move(*fields);
+  return prepared;
+}
+
+Fields with_scaled_size(Fields fields, double factor) {
+  for (double& h : fields.h) h *= factor;
+  fields.attach();
+  return fields;
+}
+
+}  // namespace lpq

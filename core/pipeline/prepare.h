@@ -1,0 +1,26 @@
+// Everything that is decided before the first point is placed: domain, 1D mesh, fields.
+#pragma once
+
+#include "domain/boundary.h"
+#include "domain/domain.h"
+#include "field/field.h"
+#include "pipeline/options.h"
+
+namespace lpq {
+
+struct Preparation {
+  Domain domain;
+  BoundaryMesh boundary;
+  Fields fields;
+};
+
+/// Judges input and options, makes the 1D mesh and both fields.
+/// Errors: bad_option, bad_size, too_many_elements, and those of make_domain, sample_boundary,
+/// make_fields.
+Result<Preparation> prepare(const DomainInput& input, const Options& options,
+                            const UserFields& user = {});
+
+/// The same fields with every target size multiplied by `factor`.
+Fields with_scaled_size(Fields fields, double factor);
+
+}  // namespace lpq

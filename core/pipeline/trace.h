@@ -1,0 +1,40 @@
+// Intermediate values of a run, for pictures and for checks from outside (--stages). All in the
+// unit frame; `frame` leads back. Filled only when asked for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "field/field.h"
+#include "geometry/frame.h"
+#include "matching/blossom.h"
+#include "mesh/quad_mesh.h"
+#include "mesh/tri_mesh.h"
+#include "voronoi/clipped.h"
+
+namespace lpq {
+
+struct QuadStage {
+  std::string name;
+  QuadMesh mesh;
+};
+
+struct Trace {
+  UnitFrame frame;
+  Fields fields;  // background mesh, crosses, sizes, singularities
+  std::vector<Vec2> seeds;
+  TriMesh start;                    // triangulation of the seeds
+  TriMesh triangles;                // where the points ended
+  TriMesh matched_triangles;        // the same after flips and splits: the nodes of `graph`
+  ClippedVoronoi cells;             // of `triangles`
+  std::vector<double> cell_energy;  // #V  of `triangles`
+  std::vector<double> cell_area;    // #V
+  std::vector<Vec2> gradient;       // #V
+  double energy = 0;
+  double norm = 6;
+  std::vector<CostEdge> graph;  // dual graph of the matching
+  Matching matching;
+  std::vector<QuadStage> quads;  // after each stage
+};
+
+}  // namespace lpq

@@ -1,0 +1,101 @@
+// The energies against central differences, and what they are at known shapes.
+#include "catch.h"
+#include "cleanup/descent.h"
+#include "cleanup/shape_energy.h"
+#include "mesh/quality.h"
+#include "support/cleanup_meshes.h"
+
+using namespace lpq;
+using namespace lpq_test;
+
+namespace {
+
+// Largest difference between the gradient and central differences, over the largest component.
+template <class Energy>
+double gradient_error(QuadMesh mesh, Energy energy) {
+  std::vector<Vec2> gradient(mesh.points.size()), unused(mesh.points.size());
+  REQUIRE(energy(mesh, gradient).status == EvalStatus::ok);
+  double error = 0, largest = 0;
+  const double step = 1e-5;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    for (double Vec2::*axis : {&Vec2::x, &Vec2::y}) {
+      const double at = mesh.points[v].*axis;
+      mesh.points[v].*axis = at + step;
+      const double above = energy(mesh, unused).value;
+      mesh.points[v].*axis = at - step;
+      const double below = energy(mesh, unused).value;
+      mesh.points[v].*axis = at;
+      const double slope = (above - below) / (2 * step);
+      error = std::max(error, std::abs(slope - gradient[v].*axis));
+      largest = std::max(largest, std::abs(slope));
+    }
+  return error / largest;
+}
+
+QuadMesh with_triangle() {
+  QuadMesh mesh = shaken(grid(5, 4), 0.2, 7);
+  const Face last = mesh.faces.back();
+  mesh.faces.back() = {last[0], last[1], last[2], none};
+  mesh.faces.push_back({last[0], last[2], last[3], none});
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("gradients agree with central differences") {
+  const QuadMesh mesh = with_triangle();
+  const std::vector<double> unit(mesh.faces.size(), 1.3);
+  for (const double epsilon : {0.0, 0.3}) {
+    const double error = gradient_error(mesh, [&](const QuadMesh& m, std::span<Vec2> gradient) {
+      return mean_ratio_energy(m.faces, m.points, unit, {.epsilon = epsilon}, gradient);
+    });
+    CHECK(error < 1e-7);
+  }
+  for (const double weight : {0.0, 0.02, 1.0}) {
+    const double error = gradient_error(mesh, [&](const QuadMesh& m, std::span<Vec2> gradient) {
+      return eta_energy(m.faces, m.points, unit, {.size_weight = weight}, gradient);
+    });
+    CHECK(error < 1e-6);
+  }
+}
+
+TEST_CASE("the mean ratio is finite and its gradient right on tangled faces") {
+  QuadMesh mesh = shaken(grid(4, 4), 1.5, 3);
+  const std::vector<double> unit(mesh.faces.size(), 1.0);
+  REQUIRE(smallest_corner(mesh.faces, mesh.points, unit) < 0);
+  std::vector<Vec2> gradient(mesh.points.size());
+  CHECK(mean_ratio_energy(mesh.faces, mesh.points, unit, {}, gradient).status ==
+        EvalStatus::outside_domain);
+  CHECK(eta_energy(mesh.faces, mesh.points, unit, {}, gradient).status ==
+        EvalStatus::outside_domain);
+  CHECK(gradient_error(mesh, [&](const QuadMesh& m, std::span<Vec2> g) {
+          return mean_ratio_energy(m.faces, m.points, unit, {.epsilon = 0.4}, g);
+        }) < 1e-6);
+}
+
+TEST_CASE("the eta energy of one quad brackets 1 - eta") {
+  Rng rng(5);
+  for (int i = 0; i < 200; ++i) {
+    QuadMesh mesh = mesh_of({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2, 3}}, 0);
+    for (Vec2& p : mesh.points) p += {rng.between(-0.3, 0.3), rng.between(-0.3, 0.3)};
+    const std::vector<double> unit{1};
+    std::vector<Vec2> gradient(4);
+    const Evaluation e =
+        eta_energy(mesh.faces, mesh.points, unit, {.size_weight = 0, .floor_weight = 0}, gradient);
+    const double loss = 1 - face_eta(mesh, mesh.faces[0]);
+    if (e.status != EvalStatus::ok || loss == 1) continue;
+    // max <= 8-norm <= 4^(1/8) max
+    CHECK(e.value >= loss);
+    CHECK(e.value <= 1.19 * loss + 2e-4);
+  }
+}
+
+TEST_CASE("energies scale exactly with powers of two") {
+  QuadMesh mesh = shaken(grid(4, 4), 0.2, 9), scaled = mesh;
+  for (Vec2& p : scaled.points) p = 0.125 * p;
+  const std::vector<double> unit(mesh.faces.size(), 1.0), small(mesh.faces.size(), 64.0);
+  std::vector<Vec2> g(mesh.points.size()), h(mesh.points.size());
+  CHECK(eta_energy(mesh.faces, mesh.points, unit, {}, g).value ==
+        eta_energy(scaled.faces, scaled.points, small, {}, h).value);
+  for (std::size_t v = 0; v < g.size(); ++v) CHECK(8.0 * g[v] == h[v]);
+}

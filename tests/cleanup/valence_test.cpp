@@ -1,0 +1,87 @@
+// The ideal numbers of quads.
+#include "catch.h"
+#include "cleanup/ideal_valence.h"
+#include "numerics/elementary.h"
+#include "support/cleanup_meshes.h"
+
+using namespace lpq;
+using namespace lpq_test;
+
+TEST_CASE("the switch angles are 120, 216 and 308.6 degrees") {
+  const auto ideal = [](double degrees) { return quads_for_angle(degrees * pi / 180); };
+  CHECK(ideal(1) == 1);
+  CHECK(ideal(90) == 1);
+  CHECK(ideal(119.9) == 1);
+  CHECK(ideal(120.1) == 2);
+  CHECK(ideal(180) == 2);
+  CHECK(ideal(215.9) == 2);
+  CHECK(ideal(216.1) == 3);
+  CHECK(ideal(270) == 3);
+  CHECK(ideal(308.5) == 3);
+  CHECK(ideal(308.7) == 4);
+  CHECK(ideal(360) == 4);
+}
+
+TEST_CASE("the ideal always leaves room for strict convexity and minimises the worst ratio") {
+  for (int degrees = 1; degrees <= 360; ++degrees) {
+    const double angle = degrees * pi / 180;
+    const Index k = quads_for_angle(angle);
+    CHECK(angle < k * pi);
+    // |k quads: ratio to 90 degrees| as max(x, 1/x) is least among the neighbours, in the sense of
+    // the harmonic rule: angle/k - 90 <= 90 - angle/(k+1).
+    CHECK(angle / k - pi / 2 <= pi / 2 - angle / (k + 1) + 1e-12);
+    if (k > 1) CHECK(angle / (k - 1) - pi / 2 > pi / 2 - angle / k - 1e-12);
+  }
+}
+
+TEST_CASE("a grid is regular everywhere") {
+  const QuadTopology mesh(grid(4, 3));
+  const IdealValence ideal(mesh);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) CHECK(ideal.is_regular(mesh, v));
+}
+
+TEST_CASE("walls cut a vertex into sectors with their own ideals") {
+  // A wall along the middle of a grid from the left side to a tip inside.
+  QuadMesh plain = grid(4, 4);
+  std::vector<Index> order;  // fixed first: the middle row's two inner vertices become fixed
+  QuadMesh mesh = plain;
+  const auto find = [&](double x, double y) {
+    for (Index v = 0; v < static_cast<Index>(mesh.points.size()); ++v)
+      if (mesh.points[v] == Vec2{x, y}) return v;
+    return none;
+  };
+  const auto swap_to_front = [&](Index v) {
+    const Index w = mesh.fixed++;
+    std::swap(mesh.points[v], mesh.points[w]);
+    for (Face& face : mesh.faces)
+      for (Index& c : face) c = c == v ? w : c == w ? v : c;
+    return w;
+  };
+  const Index start = find(0, 2), middle = swap_to_front(find(1, 2)),
+              tip = swap_to_front(find(2, 2));
+  mesh.walls = {{std::min(start, middle), std::max(start, middle)}, {middle, tip}};
+  std::sort(mesh.walls.begin(), mesh.walls.end());
+  const QuadTopology topology(mesh);
+  const IdealValence ideal(topology);
+  CHECK(ideal.is_regular(topology, start));
+  CHECK(ideal.is_regular(topology, middle));
+  CHECK(ideal.is_regular(topology, tip));
+  for (const Index f : topology.faces_of(start)) {
+    CHECK(ideal.sector_count(topology, start, f).quads == 1);
+    CHECK(ideal.sector_count(topology, start, f).ideal == 1);
+  }
+  for (const Index f : topology.faces_of(middle)) {
+    CHECK(ideal.sector_count(topology, middle, f).quads == 2);
+    CHECK(ideal.sector_count(topology, middle, f).ideal == 2);
+  }
+  for (const Index f : topology.faces_of(tip))
+    CHECK(ideal.sector_count(topology, tip, f).ideal == 4);
+}
+
+TEST_CASE("missing boundary quads cost most") {
+  CHECK(irregularity(4, 4, false) == 0);
+  CHECK(irregularity(3, 4, false) == irregularity(5, 4, false));
+  CHECK(irregularity(2, 4, false) > irregularity(6, 4, false));
+  CHECK(irregularity(1, 2, true) > irregularity(3, 2, true));
+  CHECK(irregularity(3, 2, true) > irregularity(5, 4, false));
+}

@@ -1,0 +1,106 @@
+// The JSON reader: what it takes, and where it says the text is wrong.
+#include <string>
+
+#include "catch.h"
+#include "io/json_domain.h"
+
+using namespace lpq;
+
+namespace {
+
+Error refused(const std::string& text) {
+  const auto input = parse_domain_json(text);
+  REQUIRE_FALSE(input.has_value());
+  INFO(input.error().message);
+  CHECK(input.error().where.line >= 1);
+  CHECK(input.error().where.byte >= 0);
+  CHECK(input.error().where.byte <= static_cast<std::int64_t>(text.size()));
+  return input.error();
+}
+
+bool mentions(const Error& error, const std::string& text) {
+  UNSCOPED_INFO(error.message);
+  return error.message.find(text) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("plain loops") {
+  const auto input = parse_domain_json(
+      "\xEF\xBB\xBF{\"name\": \"x\", \"check\": {\"a\": [null, {\"b\": true}]}, \"h\": 0.5,\r\n"
+      " \"loops\": [[[0, 0], [1e0, 0], [0.25, -1.5]]]}");
+  REQUIRE(input.has_value());
+  REQUIRE(input->regions.size() == 1);
+  REQUIRE(input->regions[0].loops.size() == 1);
+  CHECK(input->regions[0].loops[0] == Loop{{0, 0}, {1, 0}, {0.25, -1.5}});
+  CHECK(input->h == 0.5);
+}
+
+TEST_CASE("regions, tags, polylines and points") {
+  const auto input = parse_domain_json(R"({
+    "regions": [{"name": "steel", "loops": [[[0,0],[1,0],[1,1]]], "tags": [["in", "", "out"]]},
+                {"loops": [[[1,0],[2,0],[1,1]]]}],
+    "polylines": [{"points": [[0.5,0.1],[0.6,0.2]], "tag": "crack"}],
+    "points": [[0.7, 0.1], {"position": [0.8, 0.1], "tag": "probe"}]})");
+  REQUIRE(input.has_value());
+  REQUIRE(input->regions.size() == 2);
+  CHECK(input->regions[0].name == "steel");
+  CHECK(input->regions[0].tags[0] == std::vector<std::string>{"in", "", "out"});
+  CHECK(input->polylines.at(0).tag == "crack");
+  CHECK(input->polylines[0].points.size() == 2);
+  REQUIRE(input->points.size() == 2);
+  CHECK(input->points[0].position == Vec2{0.7, 0.1});
+  CHECK(input->points[1].tag == "probe");
+}
+
+TEST_CASE("wrong kinds of value are named by their path") {
+  CHECK(mentions(refused(R"({"loops": [[[0, 0], [1, null]]]})"), "loops[0][1][1]"));
+  CHECK(mentions(refused(R"({"loops": [[[0, 0], [1, "2"]]]})"), "loops[0][1][1]"));
+  CHECK(mentions(refused(R"({"loops": [[[0, 0], 7]]})"), "loops[0][1]"));
+  CHECK(mentions(refused(R"({"loops": [[[0, 0], [1]]]})"), "loops[0][1]"));
+  CHECK(mentions(refused(R"({"loops": [[[0, 0], [1, 2, 3]]]})"), "third coordinate"));
+  CHECK(mentions(refused(R"({"regions": [{"name": 5}]})"), "regions[0].name"));
+  CHECK(mentions(refused(R"({"loops": [], "points": [{"tag": "x"}]})"), "position"));
+  CHECK(mentions(refused("[]"), "should be an object"));
+  CHECK(mentions(refused("{}"), "neither"));
+  CHECK(refused("{\n\n\"loops\": [[[0, 0], [1, null]]]}").where.line == 3);
+}
+
+TEST_CASE("numbers beyond double and NaN are not finite") {
+  for (const std::string number : {"1e309", "-1e999", "NaN", "Infinity", "-Infinity"}) {
+    const Error error = refused("{\"loops\": [[[0, 0], [" + number + ", 1]]]}");
+    INFO(number << ": " << error.message);
+    CHECK(error.code == ErrorCode::non_finite);
+    CHECK(mentions(error, "loops[0][1][0]"));
+  }
+}
+
+TEST_CASE("NaN and Infinity do no harm where they do not matter") {
+  const auto input = parse_domain_json(
+      R"({"area": NaN, "note": "say \"NaN\"", "gap": [-Infinity, Infinity], "loops": [[[0, 0]]]})");
+  REQUIRE(input.has_value());
+  CHECK(input->regions[0].loops[0].size() == 1);
+  CHECK(refused(R"({"regions": [{"name": NaN}]})").code == ErrorCode::parse_error);
+}
+
+TEST_CASE("a text cut anywhere, or with anything after it, is refused") {
+  const std::string text =
+      R"({"loops": [[[0, 0], [1, 0], [1, 1]]], "h": 0.1, "points": [{"position": [1, 2]}]})";
+  REQUIRE(parse_domain_json(text).has_value());
+  for (std::size_t n = 0; n < text.size(); ++n)
+    CHECK(refused(text.substr(0, n)).code == ErrorCode::parse_error);
+  CHECK(refused(text + "x").code == ErrorCode::parse_error);
+  CHECK(refused(text + text).code == ErrorCode::parse_error);
+}
+
+TEST_CASE("deep nesting and flipped bits end in a value or an error") {
+  CHECK(refused("{\"a\": " + std::string(100000, '[')).code == ErrorCode::parse_error);
+  const std::string text = R"({"regions": [{"loops": [[[0, 0], [1, 0]]], "tags": [["a"]]}]})";
+  for (std::size_t i = 0; i < text.size(); ++i)
+    for (int bit = 0; bit < 8; ++bit) {
+      std::string flipped = text;
+      flipped[i] = static_cast<char>(flipped[i] ^ (1 << bit));
+      const auto input = parse_domain_json(flipped);
+      if (!input) CHECK(input.error().message.size() > 10);
+    }
+}

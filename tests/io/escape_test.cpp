@@ -1,0 +1,71 @@
+#include "io/escape.h"
+
+#include "catch.h"
+#include "io/json_write.h"
+
+using namespace lpq;
+
+namespace {
+
+template <class Append>
+std::string escaped(Append append, std::string_view text) {
+  std::string out;
+  append(out, text);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("XML text has no markup and no forbidden character") {
+  CHECK(escaped(append_xml, "<b a=\"1\" c='2'>&") ==
+        "&lt;b a=&quot;1&quot; c=&#39;2&#39;&gt;&amp;");
+  CHECK(escaped(append_xml, std::string_view("a\0b\x01\n", 5)) == "a?b? ");
+  CHECK(escaped(append_xml,
+                "Stra\xC3\x9F"
+                "e") ==
+        "Stra\xC3\x9F"
+        "e");
+}
+
+TEST_CASE("broken UTF-8 never reaches a file") {
+  for (const char* text : {"\x80", "\xC3", "\xC0\xAF", "\xE0\x80\x80", "\xED\xA0\x80",
+                           "\xF5\x80\x80\x80", "\xF4\x90\x80\x80", "\xFF"}) {
+    INFO(text);
+    CHECK(escaped(append_xml, text).find_first_not_of('?') == std::string::npos);
+    CHECK(escaped(append_json_string, text).find('\\') == std::string::npos);
+    CHECK(escaped(append_json_string, text).find("\xEF\xBF\xBD") == 1);
+  }
+  CHECK(escaped(append_xml, "\xF0\x9F\x98\x80") == "\xF0\x9F\x98\x80");
+}
+
+TEST_CASE("JSON strings escape quotes, backslashes and controls") {
+  CHECK(escaped(append_json_string, "a\"b\\c\n\x02") == "\"a\\\"b\\\\c\\n\\u0002\"");
+}
+
+TEST_CASE("MSH names have no quote, no line break and at most 127 bytes") {
+  CHECK(escaped(append_msh_name, "a\"b\nc") == "\"a'b c\"");
+  std::string name;
+  for (int i = 0; i < 100; ++i) name += "\xC3\xA9";
+  const std::string cut = escaped(append_msh_name, name);
+  CHECK(cut.size() == 126 + 2);  // whole characters of two bytes
+  CHECK(cut == "\"" + name.substr(0, 126) + "\"");
+}
+
+TEST_CASE("the JSON writer puts commas where they belong") {
+  std::string out;
+  JsonWriter json(out);
+  json.begin_object();
+  json.member("a", 1);
+  json.new_line();
+  json.key("b");
+  json.begin_array();
+  json.tuple(1, 2.5);
+  json.begin_object();
+  json.end_object();
+  json.null();
+  json.end_array();
+  json.member("c", true);
+  json.member("d", 0.0 / 1.0 - 1e308 * 10);
+  json.end_object();
+  CHECK(out == "{\"a\":1,\n\"b\":[[1,2.5],{},null],\"c\":true,\"d\":null}");
+}

@@ -1,0 +1,83 @@
+// Reports, errors and stage files.
+#include "io/report.h"
+
+#include <algorithm>
+
+#include "catch.h"
+#include "io/error_text.h"
+#include "io/stages.h"
+#include "support/output_meshes.h"
+
+using namespace lpq;
+
+TEST_CASE("errors name their code, sentence and place") {
+  Error error{ErrorCode::self_intersection, "Two edges cross.", {}};
+  CHECK(error_text(error) == "SELF_INTERSECTION: Two edges cross.");
+  error.where.loop = 0;
+  error.where.edge = 3;
+  error.where.other_loop = 1;
+  error.where.other_edge = 7;
+  error.where.has_point = true;
+  error.where.x = 0.5;
+  CHECK(error_text(error) ==
+        "SELF_INTERSECTION: Two edges cross. (loop 0 edge 3, loop 1 edge 7, at 0.5 0)");
+  CHECK(write_error_json(error) ==
+        "{\"error\":{\"code\":\"SELF_INTERSECTION\",\"message\":\"Two edges cross.\",\"where\":"
+        "{\"loop\":0,\"edge\":3,\"otherLoop\":1,\"otherEdge\":7,\"x\":0.5,\"y\":0}}}\n");
+}
+
+TEST_CASE("a parse error shows line and byte") {
+  Error error{ErrorCode::parse_error, "No.", {}};
+  error.where.line = 2;
+  error.where.byte = 17;
+  CHECK(error_text(error) == "PARSE_ERROR: No. (line 2 byte 17)");
+}
+
+TEST_CASE("a report holds every option by name, and without times the same bytes") {
+  Report report;
+  report.hash = 0x0123456789abcdefu;
+  report.energy_history = {2, 1};
+  report.times = {{"match", 0.25}};
+  report.warnings.push_back({ErrorCode::duplicate_point, "Merged.", {}});
+  const OutputMesh mesh = lpq_test::grid_mesh(2);
+  const Options options;
+  const std::string json = write_report_json(report, mesh, options);
+  CHECK(json.find("\"hash\":\"0123456789abcdef\"") != std::string::npos);
+  CHECK(json.find("\"cpuSeconds\":{\"match\":0.25}") != std::string::npos);
+  CHECK(json.find("\"code\":\"DUPLICATE_POINT\"") != std::string::npos);
+  each_field(options, [&](const char* name, const auto&, const FieldInfo&) {
+    INFO(name);
+    CHECK(json.find("\"" + std::string(name) + "\":") != std::string::npos);
+  });
+  Report slower = report;
+  slower.times[0].cpu_seconds = 3;
+  CHECK(write_report_json(report, mesh, options, {.times = false}) ==
+        write_report_json(slower, mesh, options, {.times = false}));
+  CHECK(report_text(report, mesh).find("warning") != std::string::npos);
+}
+
+TEST_CASE("a matching is written with its certificate in whole units") {
+  const std::vector<CostEdge> graph{{0, 1, 3}, {1, 2, 5}, {2, 3, 4}, {3, 0, 9}};
+  const Matching matching = min_cost_perfect_matching(4, graph);
+  const std::string json = write_matching_json(graph, matching);
+  CHECK(json.find("\"n\":4,\"cost\":7,") != std::string::npos);
+  CHECK(json.find("\"matching\":[[0,1],[2,3]],") != std::string::npos);
+  CHECK(json.find("\"y\":[\"") != std::string::npos);
+}
+
+TEST_CASE("every stage becomes a file with a plain name, even of an empty run") {
+  std::vector<std::string> names;
+  Trace trace;
+  trace.quads.push_back({"clean up/2", {}});
+  write_stages(trace, {}, [&](std::string_view name, const std::string& content) {
+    names.emplace_back(name);
+    CHECK_FALSE(content.empty());
+    CHECK(name.find_first_of("/\\ ") == std::string_view::npos);
+  });
+  for (const char* name :
+       {"background.obj", "crosses.json", "sizes.json", "triangles.obj", "cells.json",
+        "energy.json", "matching.json", "quads-1-clean-up-2.obj"}) {
+    INFO(name);
+    CHECK(std::count(names.begin(), names.end(), name) == 1);
+  }
+}

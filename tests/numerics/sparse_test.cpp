@@ -1,0 +1,52 @@
+// The sparse solver on systems whose solution is known.
+#include "numerics/sparse.h"
+
+#include <cmath>
+
+#include "catch.h"
+
+using namespace lpq;
+
+namespace {
+
+// The five-point Laplacian on a side x side grid with zero boundary values; lower triangle only.
+std::vector<Triplet> grid_laplacian(Index side) {
+  std::vector<Triplet> entries;
+  for (Index j = 0; j < side; ++j)
+    for (Index i = 0; i < side; ++i) {
+      const Index k = j * side + i;
+      entries.push_back({k, k, 4});
+      if (i > 0) entries.push_back({k, k - 1, -1});
+      if (j > 0) entries.push_back({k, k - side, -1});
+    }
+  return entries;
+}
+
+}  // namespace
+
+TEST_CASE("a Laplace system is solved for several right-hand sides") {
+  constexpr Index side = 30, n = side * side;
+  const std::vector<Triplet> a = grid_laplacian(side);
+  std::vector<double> wanted(2 * n);
+  for (Index k = 0; k < 2 * n; ++k) wanted[k] = std::sin(0.1 * k) + (k < n ? 1 : -2);
+  std::vector<double> b(2 * n, 0.0), x;
+  for (Index c = 0; c < 2; ++c)
+    for (const Triplet& t : a) {
+      b[c * n + t.row] += t.value * wanted[c * n + t.column];
+      if (t.row != t.column) b[c * n + t.column] += t.value * wanted[c * n + t.row];
+    }
+  REQUIRE(solve_spd(n, a, b, 2, x) == SparseStatus::ok);
+  for (Index k = 0; k < 2 * n; ++k) CHECK(std::abs(x[k] - wanted[k]) < 1e-11);
+}
+
+TEST_CASE("duplicates are summed, an empty system is solved, a singular one is refused") {
+  std::vector<double> x;
+  CHECK(solve_spd(0, {}, {}, 1, x) == SparseStatus::ok);
+  const std::vector<Triplet> twice{{0, 0, 1}, {0, 0, 1}};
+  const std::vector<double> b{6};
+  REQUIRE(solve_spd(1, twice, b, 1, x) == SparseStatus::ok);
+  CHECK(x[0] == 3);
+  const std::vector<Triplet> singular{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}};
+  const std::vector<double> ones{1, 2};
+  CHECK(solve_spd(2, singular, ones, 1, x) == SparseStatus::not_positive_definite);
+}

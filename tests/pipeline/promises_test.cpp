@@ -1,0 +1,137 @@
+// The promises of the README, on small domains: the boundary comes back bit for bit; all quads, or
+// a plain reason why not; nothing wrong is presented as right.
+#include <algorithm>
+#include <cmath>
+
+#include "catch.h"
+#include "pipeline/finish.h"
+#include "pipeline/mesher.h"
+#include "support/shapes.h"
+
+using namespace lpq;
+using namespace lpq_test;
+
+namespace {
+
+const Options kept{.keep_boundary = true};
+
+void require_promises(const DomainInput& input, const Outcome& outcome) {
+  REQUIRE(check_output(outcome.mesh).empty());
+  CHECK(outcome.report.quality.triangles == 0);
+  std::size_t node = 0;
+  for (const Loop& loop : input.regions[0].loops)
+    for (const Vec2 p : loop) CHECK(outcome.mesh.points[node++] == p);
+  CHECK(outcome.mesh.fixed == static_cast<Index>(node));
+  // 4 Q = 2 E_int + B, hence by Euler Q = interior vertices + B/2 - chi
+  const auto chi = 2 - static_cast<Index>(input.regions[0].loops.size());
+  CHECK(outcome.report.quality.quads ==
+        outcome.report.interior_vertices + outcome.mesh.fixed / 2 - chi);
+}
+
+}  // namespace
+
+TEST_CASE("every shape keeps its boundary and gets quads only") {
+  for (const DomainInput& input : {square(1, 0.1), l_shape(0.05), disc(0.1), annulus(0.08),
+                                   plate_with_hole(0.08), hood(0.08)}) {
+    const auto outcome = mesh_domain(input, kept);
+    REQUIRE(outcome);
+    require_promises(input, *outcome);
+    CHECK(outcome->report.quality.eta_mean > 0.8);
+    CHECK(outcome->report.quality.eta_min > 0);
+  }
+}
+
+TEST_CASE("an aligned square is meshed perfectly") {
+  const auto outcome = mesh_domain(square(1, 0.1), kept);
+  REQUIRE(outcome);
+  CHECK(outcome->report.quality.quads == 100);
+  CHECK(outcome->report.quality.eta_min > 0.999);
+  CHECK(outcome->report.quality.regular_vertices == 81);
+}
+
+TEST_CASE("the paper's chain keeps the same promises") {
+  for (const DomainInput& input : {square(1, 0.1), plate_with_hole(0.08), hood(0.08)}) {
+    Options options = kept;
+    options.method = Method::paper;
+    const auto outcome = mesh_domain(input, options);
+    REQUIRE(outcome);
+    require_promises(input, *outcome);
+    const auto& energies = outcome->report.energy_history;
+    REQUIRE(energies.size() > 10);
+    CHECK(std::is_sorted(energies.rbegin(), energies.rend()));
+  }
+}
+
+TEST_CASE("an odd boundary is refused with its count, or cured when that is allowed") {
+  DomainInput input = domain_of({{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {0, 1}}});
+  const auto refused = mesh_domain(input, kept);
+  REQUIRE(!refused);
+  CHECK(refused.error().code == ErrorCode::odd_boundary);
+  CHECK(refused.error().message.find('5') != std::string::npos);
+
+  Options allowed = kept;
+  allowed.allow_added_point = true;
+  const auto cured = mesh_domain(input, allowed);
+  REQUIRE(cured);
+  CHECK(cured->report.quality.triangles == 0);
+  CHECK(cured->mesh.fixed == 6);
+
+  Options dominant = kept;
+  dominant.elements = Elements::quad_dominant;
+  const auto mixed = mesh_domain(input, dominant);
+  REQUIRE(mixed);
+  CHECK(mixed->report.quality.triangles % 2 == 1);
+  CHECK(check_output(mixed->mesh).empty());
+}
+
+TEST_CASE("the refined boundary holds every given vertex and an even count") {
+  DomainInput input = domain_of({{{0, 0}, {3, 0}, {3, 1}, {1.4, 2}, {0, 1}}});
+  for (const double size : {1.0, 0.3, 0.07}) {
+    const auto outcome = mesh_domain(input, {.size = size});
+    REQUIRE(outcome);
+    CHECK(check_output(outcome->mesh).empty());
+    CHECK(outcome->report.quality.triangles == 0);
+    CHECK(outcome->mesh.fixed % 2 == 0);
+    for (const Vec2 corner : input.regions[0].loops[0])
+      CHECK(std::count(outcome->mesh.points.begin(), outcome->mesh.points.end(), corner) == 1);
+  }
+}
+
+TEST_CASE("sizes that make no sense are refused before any work") {
+  const auto code = [](double size) {
+    const auto outcome = mesh_domain(square(1, 0.1), {.size = size});
+    return outcome ? ErrorCode::no_valid_mesh : outcome.error().code;
+  };
+  CHECK(code(-1) == ErrorCode::bad_size);
+  CHECK(code(NAN) == ErrorCode::bad_size);
+  CHECK(code(INFINITY) == ErrorCode::bad_size);
+  CHECK(code(5) == ErrorCode::bad_size);
+  CHECK(code(1e-9) == ErrorCode::too_many_elements);
+}
+
+TEST_CASE("the target size is met") {
+  const auto outcome = mesh_domain(plate_with_hole(0.05), kept);
+  REQUIRE(outcome);
+  CHECK(outcome->report.size.p10 > 0.75);
+  CHECK(outcome->report.size.p90 < 1.35);
+}
+
+TEST_CASE("a caller's size and angle are followed") {
+  UserFields user;
+  user.size = [](Vec2 p) { return 0.04 + 0.06 * p.x; };
+  user.angle = [](Vec2) { return 0.3; };
+  const auto outcome = mesh_domain(square(1, 0.05), kept, {}, nullptr, user);
+  REQUIRE(outcome);
+  CHECK(check_output(outcome->mesh).empty());
+}
+
+TEST_CASE("a monitor can stop the run") {
+  int calls = 0;
+  const Monitor stop{[](const Progress&, void* user) { return ++*static_cast<int*>(user) < 3; },
+                     &calls};
+  const auto outcome =
+      mesh_domain(plate_with_hole(0.05), {.keep_boundary = true, .method = Method::paper}, stop);
+  REQUIRE(!outcome);
+  CHECK(outcome.error().code == ErrorCode::cancelled);
+  CHECK(calls == 3);
+}

@@ -1,0 +1,13 @@
+# lpq_matching_lemon: LEMON (header-only, optional) as a test oracle, never part of the product.
+if(NOT TARGET lpq_matching_lemon)
+  find_path(LPQ_LEMON_INCLUDE lemon/matching.h)
+  add_library(lpq_matching_lemon STATIC ${CMAKE_CURRENT_LIST_DIR}/matching_lemon.cpp)
+  set_target_properties(lpq_matching_lemon PROPERTIES CXX_STANDARD 14 CXX_STANDARD_REQUIRED ON)
+  target_include_directories(lpq_matching_lemon PUBLIC ${CMAKE_CURRENT_LIST_DIR}/..)
+  if(LPQ_LEMON_INCLUDE)
+    target_include_directories(lpq_matching_lemon SYSTEM PRIVATE ${LPQ_LEMON_INCLUDE})
+    target_compile_definitions(lpq_matching_lemon PRIVATE LPQ_HAVE_LEMON)
+  else()
+    message(STATUS "LEMON not found: the matching is tested and timed without that oracle")
+  endif()
+endif()
