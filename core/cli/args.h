@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "io/mesh_format.h"
 #include "pipeline/options.h"
 
 namespace lpq {
@@ -18,26 +19,34 @@ struct ChoiceNames<MshChoice> {
   static constexpr std::array<const char*, 2> names{"4.1", "2.2"};
 };
 
+template <>
+struct ChoiceNames<InpElement> {
+  static constexpr std::array<const char*, 4> names{"CPS4", "CPE4", "CAX4", "S4"};
+};
+
 /// What `lpquad mesh` reads and writes. "" = not asked for.
 struct MeshFiles {
   std::string output, report, stages, svg;
   MshChoice msh_version = MshChoice::v4_1;
+  InpElement inp_element = InpElement::cps4;
   bool quiet = false;
 };
 
 template <class O, class F>
 requires std::is_same_v<std::remove_const_t<O>, MeshFiles>
 void each_field(O& o, F&& visit) {
-  visit("output", o.output,
-        FieldInfo{0, 0, "file",
-                  "The mesh: .obj, .msh, .vtu, .svg or .json; for several inputs a folder, or a "
-                  "name with {}."});
+  static const std::string output_help =
+      "The mesh: " + mesh_endings() + "; for several inputs a folder, or a name with {}.";
+  visit("output", o.output, FieldInfo{0, 0, "file", output_help.c_str()});
   visit("svg", o.svg, FieldInfo{0, 0, "file", "A picture of the mesh."});
   visit("report", o.report,
         FieldInfo{0, 0, "file",
                   "Counts, quality, energies and times as JSON; on failure the error."});
   visit("stages", o.stages, FieldInfo{0, 0, "folder", "Every intermediate value of the run."});
   visit("mshVersion", o.msh_version, FieldInfo{0, 0, "", "Version of .msh files."});
+  visit("inpElement", o.inp_element,
+        FieldInfo{0, 0, "",
+                  "Elements of .inp files: plane stress, plane strain, axisymmetric or shell."});
   visit("quiet", o.quiet, FieldInfo{0, 0, "", "Print nothing but errors."});
 }
 

@@ -61,7 +61,7 @@ Result<std::vector<RunFiles>> plan_files(const MeshArgs& args) {
     if (!run.output.empty()) {
       const auto format = mesh_format(run.output);
       if (!format) {
-        return usage("'" + run.output + "' must end in " + std::string(mesh_endings) + ".");
+        return usage("'" + run.output + "' must end in " + mesh_endings() + ".");
       }
       run.format = *format;
     }

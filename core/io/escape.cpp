@@ -98,7 +98,7 @@ void append_msh_name(std::string& out, std::string_view text) {
   }
   out += '"';
   append_utf8(out, text.substr(0, length), "?", [&](char c) {
-    out += c == '"' ? '\'' : is_control(c) ? ' ' : c;
+    out += c == '"' ? '\'' : c == '\\' ? '/' : is_control(c) ? ' ' : c;
   });
   out += '"';
 }
@@ -106,6 +106,26 @@ void append_msh_name(std::string& out, std::string_view text) {
 void append_obj_name(std::string& out, std::string_view text) {
   append_utf8(out, text, "?",
               [&](char c) { out += c == ' ' || c == '\\' || is_control(c) ? '_' : c; });
+}
+
+void append_ascii(std::string& out, std::string_view text, std::string_view other) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text, i);
+    if (length == 1) {
+      out += is_control(text[i]) ? ' ' : text[i];
+    } else {
+      out += other;
+    }
+    i += length == 0 ? 1 : length;
+  }
+}
+
+void append_quoted_ascii(std::string& out, std::string_view text, std::size_t longest) {
+  std::string plain;
+  append_ascii(plain, text);
+  out += '"';
+  for (const char c : std::string_view(plain).substr(0, longest)) out += c == '"' ? '\'' : c;
+  out += '"';
 }
 
 }  // namespace lpq

@@ -1,6 +1,7 @@
 // Names in files: whatever characters a caller's region or tag has, the file stays well formed.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -10,10 +11,16 @@ namespace lpq {
 void append_xml(std::string& out, std::string_view text);
 /// A JSON string with its quotes. Bytes that are not UTF-8 become U+FFFD.
 void append_json_string(std::string& out, std::string_view text);
-/// A quoted name of Gmsh's $PhysicalNames, which knows no escapes and holds 127 bytes: double
-/// quotes become single ones, control characters spaces, longer names are cut between characters.
+/// A quoted name of Gmsh's $PhysicalNames, which knows no escapes (though meshio takes a backslash
+/// for one) and holds 127 bytes: double quotes become single ones, backslashes slashes, control
+/// characters spaces, longer names are cut between characters.
 void append_msh_name(std::string& out, std::string_view text);
 /// A name for one line of an OBJ file: white space and control characters become '_'.
 void append_obj_name(std::string& out, std::string_view text);
+/// One line of printable ASCII: control characters become spaces, each other character `other`.
+void append_ascii(std::string& out, std::string_view text, std::string_view other = "?");
+/// append_ascii in double quotes, for comments: double quotes become single ones, and at most
+/// `longest` characters are kept.
+void append_quoted_ascii(std::string& out, std::string_view text, std::size_t longest);
 
 }  // namespace lpq

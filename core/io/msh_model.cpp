@@ -16,8 +16,8 @@ std::string edge_name(const OutputMesh& mesh, const OutputEdge& edge) {
   if (edge.tag != none) return mesh.tags[static_cast<std::size_t>(edge.tag)];
   if (edge.loop == none) return "polyline";
   std::string name;
-  if (mesh.regions.size() > 1) name = region_label(mesh, std::max(edge.region, Index{0})) + " ";
-  name += "loop ";
+  if (edge.region != none && mesh.regions.size() > 1) name = region_label(mesh, edge.region) + " ";
+  name += edge.region != none ? "loop " : "polyline ";
   append_integer(name, std::int64_t{edge.loop} + 1);
   return name;
 }
@@ -121,6 +121,16 @@ MshModel make_msh_model(const OutputMesh& mesh) {
   }
   classify_nodes(mesh, model);
   return model;
+}
+
+std::vector<std::vector<Index>> edges_of_names(const MshModel& model) {
+  std::vector<std::vector<Index>> edges(model.curve_names.size());
+  for (const MshModel::Curve& curve : model.curves) {
+    std::vector<Index>& list = edges[static_cast<std::size_t>(curve.physical) - 1];
+    list.insert(list.end(), curve.edges.begin(), curve.edges.end());
+  }
+  for (std::vector<Index>& list : edges) std::sort(list.begin(), list.end());
+  return edges;
 }
 
 }  // namespace lpq

@@ -1,5 +1,6 @@
 // The geometric model behind a .msh file: which point, curve and surface each node and element
-// belongs to, with physical names. Version 4.1 writes it out as $Entities, 2.2 as element tags.
+// belongs to, with physical names. Version 4.1 writes it out as $Entities, 2.2 as element tags;
+// other formats take their groups and names from it.
 #pragma once
 
 #include <string>
@@ -30,5 +31,8 @@ struct MshModel {
 
 /// Cost O(#V + #F + #E log #E).
 MshModel make_msh_model(const OutputMesh& mesh);
+
+/// The edges behind each of model.curve_names, in the order of the mesh.
+std::vector<std::vector<Index>> edges_of_names(const MshModel& model);
 
 }  // namespace lpq

@@ -7,8 +7,9 @@
 
 namespace lpq {
 
-/// Quads and triangles with cell data `region` and `eta`, and the 1D mesh as line cells with cell
-/// data `tag`; names of regions and tags as field data.
+/// Quads and triangles with cell data `region` and `eta`, the 1D mesh as line cells and the tagged
+/// points as vertex cells with cell data `tag` (-1 = none); names of regions and tags as field
+/// data `region_names` and `tag_names`: the bytes of UTF-8 with a zero after each name.
 std::string write_vtu(const OutputMesh& mesh);
 
 }  // namespace lpq

@@ -14,7 +14,7 @@ struct OutputEdge {
   Index a = none, b = none;         // points, directed as the domain is: its region on the left
   Index left = none, right = none;  // regions on either side; none = outside the domain
   Index tag = none;                 // into `tags`, none = untagged
-  Index region = none, loop = none, edge = none;  // where it came from, as given; none: a polyline
+  Index region = none, loop = none, edge = none;  // as given; without region: polyline `loop`
 };
 
 /// A mesh vertex that the caller tagged.
