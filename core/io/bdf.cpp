@@ -12,6 +12,15 @@ namespace {
 constexpr std::size_t short_field = 8, long_field = 16;
 constexpr std::int64_t longest_short = 99'999'999;  // the last integer of 8 digits
 
+void append_left(std::string& out, std::string_view text, std::size_t width) {
+  out += text;
+  out.append(width - text.size(), ' ');
+}
+void append_right(std::string& out, std::string_view text, std::size_t width) {
+  out.append(width - text.size(), ' ');
+  out += text;
+}
+
 class BdfWriter {
  public:
   explicit BdfWriter(const OutputMesh& mesh) : mesh_(mesh), model_(make_msh_model(mesh)) {}
@@ -29,7 +38,7 @@ class BdfWriter {
       for (const Index e : curve.edges) {
         const OutputEdge& edge = mesh_.edges[static_cast<std::size_t>(e)];
         const std::int64_t a = edge.a, b = edge.b;
-        card("CROD", {next_element_++, regions + curve.physical, a + 1, b + 1});
+        append_bdf_entry(out_, "CROD", {next_element_++, regions + curve.physical, a + 1, b + 1});
       }
     }
     point_sets();
@@ -52,25 +61,16 @@ class BdfWriter {
     }
   }
 
-  void left(std::string_view text, std::size_t width) {
-    out_ += text;
-    out_.append(width - text.size(), ' ');
-  }
-  void right(std::string_view text, std::size_t width) {
-    out_.append(width - text.size(), ' ');
-    out_ += text;
-  }
-
   void grid(std::size_t v) {
     const auto number = [&](double x) {
       std::string text;
       append_number_field(text, x, long_field, "");
-      right(text, long_field);
+      append_right(out_, text, long_field);
     };
-    left("GRID*", short_field);
+    append_left(out_, "GRID*", short_field);
     std::string id;
     append_integer(id, static_cast<std::int64_t>(v) + 1);
-    right(id, long_field);
+    append_right(out_, id, long_field);
     out_.append(long_field, ' ');  // the basic coordinate system
     number(mesh_.points[v].x);
     number(mesh_.points[v].y);
@@ -83,25 +83,7 @@ class BdfWriter {
     const Face& corners = mesh_.faces[f];
     std::vector<std::int64_t> fields{next_element_++, std::int64_t{mesh_.region[f]} + 1};
     for (int k = 0; k < corner_count(corners); ++k) fields.push_back(std::int64_t{corners[k]} + 1);
-    card(corner_count(corners) == 4 ? "CQUAD4" : "CTRIA3", fields);
-  }
-
-  /// An entry of integers, with large fields where small ones do not hold them.
-  void card(std::string_view name, const std::vector<std::int64_t>& fields) {
-    bool large = false;
-    for (const std::int64_t value : fields) large = large || value > longest_short;
-    const std::size_t width = large ? long_field : short_field, on_a_line = large ? 4 : 8;
-    left(std::string(name) + (large ? "*" : ""), short_field);
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      if (i > 0 && i % on_a_line == 0) {
-        out_ += '\n';
-        left(large ? "*" : "+", short_field);
-      }
-      std::string text;
-      append_integer(text, fields[i]);
-      right(text, width);
-    }
-    out_ += '\n';
+    append_bdf_entry(out_, corner_count(corners) == 4 ? "CQUAD4" : "CTRIA3", fields);
   }
 
   void point_sets() {
@@ -111,7 +93,7 @@ class BdfWriter {
       for (std::size_t p = 0; p < mesh_.tagged_points.size(); ++p)
         if (model_.point_physical[p] == number)
           fields.push_back(std::int64_t{mesh_.tagged_points[p].point} + 1);
-      card("SET1", fields);
+      append_bdf_entry(out_, "SET1", fields);
     }
   }
 
@@ -122,6 +104,24 @@ class BdfWriter {
 };
 
 }  // namespace
+
+void append_bdf_entry(std::string& out, std::string_view name,
+                      const std::vector<std::int64_t>& fields) {
+  bool large = false;
+  for (const std::int64_t value : fields) large = large || value > longest_short;
+  const std::size_t width = large ? long_field : short_field, on_a_line = large ? 4 : 8;
+  append_left(out, std::string(name) + (large ? "*" : ""), short_field);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (i > 0 && i % on_a_line == 0) {
+      out += '\n';
+      append_left(out, large ? "*" : "+", short_field);
+    }
+    std::string text;
+    append_integer(text, fields[i]);
+    append_right(out, text, width);
+  }
+  out += '\n';
+}
 
 std::string write_bdf(const OutputMesh& mesh) { return BdfWriter(mesh).write(); }
 

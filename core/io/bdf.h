@@ -2,7 +2,10 @@
 // fields of 8 characters, or of 16 in large field entries.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "mesh/output_mesh.h"
 
@@ -13,5 +16,10 @@ namespace lpq {
 /// needs no orientation and that readers know - with one property number per name, and a SET1 for
 /// each name of tagged points. Names stand in comments. No property or material is written.
 std::string write_bdf(const OutputMesh& mesh);
+
+/// One entry of integers, with its continuation lines; in large fields where an integer has more
+/// than 8 digits.
+void append_bdf_entry(std::string& out, std::string_view name,
+                      const std::vector<std::int64_t>& fields);
 
 }  // namespace lpq

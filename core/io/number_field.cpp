@@ -88,6 +88,7 @@ void append_number_field(std::string& out, double value, std::size_t width,
     }
     if (text.size() <= width) break;
   }
+  if (text.back() == '.' && text.size() < width) text += '0';
   if (text[0] == '.' && text.size() < width) out += '0';
   out += text;
 }

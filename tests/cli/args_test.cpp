@@ -100,7 +100,7 @@ TEST_CASE("file names are planned before any work") {
   CHECK_FALSE(plan_files(args).has_value());
   args.files.report.clear();
   args.files.output = "{}.stl";
-  CHECK(plan_files(args).error().message == "'a.stl' must end in .obj, .msh, .vtu, .svg or .json.");
+  CHECK(plan_files(args).error().message == "'a.stl' must end in " + mesh_endings() + ".");
   args.inputs = {"x/a.json", "y/a.json"};
   args.files.output = "out/";
   CHECK_FALSE(plan_files(args).has_value());

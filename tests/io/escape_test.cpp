@@ -51,6 +51,19 @@ TEST_CASE("MSH names have no quote, no line break and at most 127 bytes") {
   CHECK(cut == "\"" + name.substr(0, 126) + "\"");
 }
 
+TEST_CASE("MSH names have no backslash, which shlex would take for an escape") {
+  CHECK(escaped(append_msh_name, "C:\\a\\") == "\"C:/a/\"");
+}
+
+TEST_CASE("ASCII text is one printable line") {
+  std::string out;
+  append_ascii(out, "a\n\xC3\xA9\xFF\x7F|");
+  CHECK(out == "a ?? |");
+  out.clear();
+  append_quoted_ascii(out, "say \"x\" \xE9\x8B\xBC", 9);
+  CHECK(out == "\"say 'x' ?\"");
+}
+
 TEST_CASE("the JSON writer puts commas where they belong") {
   std::string out;
   JsonWriter json(out);

@@ -125,18 +125,32 @@ TEST_CASE("formats are known by their endings") {
   CHECK(mesh_format("a/b.OBJ") == MeshFormat::obj);
   CHECK(mesh_format("x.msh") == MeshFormat::msh);
   CHECK(mesh_format("x.json") == MeshFormat::json);
+  CHECK(mesh_format("x.geojson") == MeshFormat::geojson);
+  CHECK(mesh_format("x.NAS") == MeshFormat::bdf);
   CHECK_FALSE(mesh_format("msh").has_value());
   CHECK_FALSE(mesh_format("x.obj.txt").has_value());
   const auto refused = read_mesh("", MeshFormat::vtu);
   CHECK_FALSE(refused.has_value());
 }
 
+TEST_CASE("the table of formats has every format once, with names and endings of its own") {
+  for (std::size_t i = 0; i < mesh_formats.size(); ++i) {
+    const MeshFormatInfo& info = mesh_formats[i];
+    CHECK(info.format == static_cast<MeshFormat>(i));
+    CHECK(mesh_format_by_name(info.name) == info.format);
+    CHECK(mesh_format("x." + std::string(info.name)) == info.format);
+    CHECK(mesh_endings().find(info.endings.substr(0, info.endings.find(' '))) != std::string::npos);
+  }
+  CHECK_FALSE(mesh_format_by_name("").has_value());
+  CHECK_FALSE(mesh_format_by_name("stl").has_value());
+  CHECK(mesh_endings().rfind(".obj, .msh, ", 0) == 0);
+  CHECK(mesh_endings().find(".svg or .json") != std::string::npos);
+}
+
 TEST_CASE("an empty mesh is written without a fault") {
   const OutputMesh empty;
-  for (const MeshFormat format :
-       {MeshFormat::obj, MeshFormat::msh, MeshFormat::vtu, MeshFormat::svg, MeshFormat::json}) {
-    CHECK_FALSE(write_mesh(empty, format).empty());
-  }
+  for (const MeshFormatInfo& info : mesh_formats)
+    CHECK_FALSE(write_mesh(empty, info.format).empty());
   CHECK_FALSE(write_mesh(empty, MeshFormat::msh, {MshVersion::v2_2}).empty());
 }
 
