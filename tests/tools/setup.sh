@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes sure the named commands and headers are there, installing Debian packages where it may.
-# usage: setup.sh build|test|fuzz|referee...   (each adds its needs)
+# usage: setup.sh build|test|outside|fuzz|referee...   (each adds its needs)
 # Exit 2 with the exact packages when something is missing that it cannot install.
 set -euo pipefail
 
@@ -26,6 +26,11 @@ for part in "$@"; do
       need_file catch2 '/usr/include/catch2/catch*.hpp' '/usr/local/include/catch2/catch*.hpp' \
         '/opt/homebrew/include/catch2/catch*.hpp'
       need_file liblemon-dev '/usr/include/lemon/matching.h' '/usr/local/include/lemon/matching.h' ;;
+    outside)  # programs that read our files back
+      need_command gmsh gmsh
+      need_command ccx calculix-ccx
+      need_command python3 python3
+      /usr/bin/python3 -c 'import meshio' 2>/dev/null || missing+=(python3-meshio) ;;
     fuzz)
       need_command clang++ clang
       need_file libclang-rt-14-dev '/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*.a' \

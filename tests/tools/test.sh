@@ -6,6 +6,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 cd "$root" || exit 2
 bash "$here/setup.sh" build test || exit 2
+bash "$here/setup.sh" outside || echo "Without these the tests in tests/outside are skipped."
 jobs=$(nproc 2>/dev/null || echo 2)
 passed=0 failed=0
 
