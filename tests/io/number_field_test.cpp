@@ -5,6 +5,7 @@
 #include <cstring>
 #include <set>
 #include <tuple>
+#include <vector>
 
 #include "base/rng.h"
 #include "catch.h"
@@ -82,9 +83,21 @@ TEST_CASE("the largest and the smallest numbers fit as well") {
 TEST_CASE("labels are short, plain and unique whatever the names are") {
   Labels labels(80);
   std::set<std::string> seen;
-  for (const std::string name :
-       {"steel", "Steel", "STEEL", "steel_2", "steel 2", "", " ", "\xE6\x97\xA5", "\xFF", "1",
-        "*NODE", "a,b\n=c", std::string(500, 'x').c_str(), (std::string(500, 'x') + "y").c_str()}) {
+  const std::vector<std::string> names{"steel",
+                                       "Steel",
+                                       "STEEL",
+                                       "steel_2",
+                                       "steel 2",
+                                       "",
+                                       " ",
+                                       "\xE6\x97\xA5",
+                                       "\xFF",
+                                       "1",
+                                       "*NODE",
+                                       "a,b\n=c",
+                                       std::string(500, 'x'),
+                                       std::string(500, 'x') + "y"};
+  for (const std::string& name : names) {
     const std::string label = labels.add(name);
     INFO(label);
     CHECK(label.size() <= 80);

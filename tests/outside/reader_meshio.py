@@ -96,7 +96,7 @@ def check_inp(case, element):
         nodes.setdefault(t, set()).add(v)
     sets = [set(map(int, members)) for members in mesh.point_sets.values()]
     assert all(members in sets for members in nodes.values())
-    for name in case.tag_sizes():
+    for name in case.tag_sizes():  # a plain name is kept; "Inlet" and "inlet" cannot both be
         if re.fullmatch("[A-Za-z][A-Za-z0-9_]*", name) and name.lower() != "inlet":
             assert name in mesh.point_sets, name
 
