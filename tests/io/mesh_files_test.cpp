@@ -102,6 +102,12 @@ TEST_CASE("MSH nodes belong to the entity of lowest dimension") {
   CHECK(model.curve_names == std::vector<std::string>{"loop 1"});
 }
 
+TEST_CASE("an untagged polyline has a name of its own, not that of a loop") {
+  OutputMesh mesh = two_region_mesh();
+  mesh.edges.push_back({.a = 3, .b = 4, .left = 0, .right = 0, .loop = 1, .edge = 0});
+  CHECK(make_msh_model(mesh).curve_names.back() == "polyline 2");
+}
+
 TEST_CASE("VTU counts cells, offsets and types alike") {
   const OutputMesh mesh = two_region_mesh();
   const std::string text = write_vtu(mesh);
