@@ -94,6 +94,13 @@ double IdealValence::weight(const QuadTopology& mesh, Index v) const {
   return sum;
 }
 
+Index IdealValence::wanted(Index v) const {
+  if (v >= sectors_.rows()) return 4;
+  Index sum = 0;
+  for (const Sector& sector : sectors_.row(v)) sum += sector.ideal;
+  return sum;
+}
+
 IdealValence::Count IdealValence::sector_count(const QuadTopology& mesh, Index v, Index f) const {
   if (!mesh.is_fixed(v)) return {mesh.valence(v), 4};
   const auto sectors = sectors_.row(v);

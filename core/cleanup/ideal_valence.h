@@ -37,6 +37,8 @@ class IdealValence {
   /// Sum over the sectors of v of irregularity(quads there, ideal).
   double weight(const QuadTopology& mesh, Index v) const;
   bool is_regular(const QuadTopology& mesh, Index v) const { return weight(mesh, v) == 0; }
+  /// The number of quads wanted at v, over all its sectors.
+  Index wanted(Index v) const;
   /// The quads that now share the sector in which face f meets v, and the number wanted there.
   struct Count {
     Index quads = 0, ideal = 4;

@@ -220,11 +220,12 @@ std::string write_matching_json(std::span<const CostEdge> graph, const Matching&
 
 void write_stages(const Trace& trace, const Report& report, FileSink sink) {
   const UnitFrame& frame = trace.frame;
-  sink("background.obj", write_obj(to_world(trace.fields.background, frame)));
-  sink("background.json", triangles_json(trace.fields.background, frame));
-  sink("crosses.json", crosses_json(trace.fields, frame));
-  sink("crosses.svg", draw_crosses(trace.fields));
-  sink("sizes.json", sizes_json(trace.fields, frame));
+  const Fields& fields = *trace.fields;
+  sink("background.obj", write_obj(to_world(fields.background, frame)));
+  sink("background.json", triangles_json(fields.background, frame));
+  sink("crosses.json", crosses_json(fields, frame));
+  sink("crosses.svg", draw_crosses(fields));
+  sink("sizes.json", sizes_json(fields, frame));
   sink("seeds.json", seeds_json(trace));
   sink("start.obj", write_obj(to_world(trace.start, frame)));
   sink("triangles.obj", write_obj(to_world(trace.triangles, frame)));

@@ -120,12 +120,11 @@ const UnitFrame& Mesher::frame() const { return prepared_->domain.frame; }
 const Fields& Mesher::fields() const { return *fields_; }
 const BoundaryMesh& Mesher::boundary() const { return prepared_->boundary; }
 
-void Mesher::set_trace(Trace* trace) {
-  trace_ = trace;
-  if (trace_ == nullptr) return;
+void Mesher::keep_trace() {
+  trace_.emplace();
   trace_->frame = frame();
   trace_->norm = options_.norm;
-  trace_->fields = prepared_->fields;
+  trace_->fields = std::shared_ptr<const Fields>(prepared_, &prepared_->fields);
 }
 
 Result<Stage> Mesher::step(int iterations) {
@@ -161,7 +160,7 @@ Result<Stage> Mesher::make_seeds() {
   report_.seeds = static_cast<Index>(seeds_.size());
   report_.expected_seeds = expected_interior_points(nodes, *fields_);
   report_.chain = seeds_name(attempt().seeds);
-  if (trace_ != nullptr) trace_->seeds = seeds_;
+  if (trace_) trace_->seeds = seeds_;
 
   if (attempt().iterations > 0) {
     LpOptions lp;
@@ -179,7 +178,7 @@ Result<Stage> Mesher::make_seeds() {
     triangles_ = std::move(*triangles);
     stage_ = Stage::match;
   }
-  if (trace_ != nullptr) trace_->start = triangles_;
+  if (trace_) trace_->start = triangles_;
   return stage_;
 }
 
@@ -199,7 +198,7 @@ void Mesher::match() {
   const StageTimer timer(report_, "match");
   report_.tau = tau(triangles_);
   stage_ = Stage::clean;
-  if (trace_ != nullptr) {
+  if (trace_) {
     trace_->triangles = triangles_;
     EnergyWorkspace workspace;
     EnergyOptions energy;
@@ -217,14 +216,14 @@ void Mesher::match() {
   }
   RecombineOptions recombine_options;
   recombine_options.all_quads = options_.elements == Elements::quad;
-  recombine_options.keep_matching = trace_ != nullptr;
+  recombine_options.keep_matching = trace_.has_value();
   if (options_.method == Method::paper) recombine_options.alignment_weight = 0;
   RecombineResult result = recombine(triangles_, *fields_, recombine_options);
   quads_ = std::move(result.mesh);
   report_.extra_edges = result.extra_edges;
   report_.matching_cost = result.cost;
   report_.chain += " + matching";
-  if (trace_ == nullptr) return;
+  if (!trace_) return;
   trace_->matched_triangles = std::move(result.triangulation);
   trace_->graph = std::move(result.graph);
   trace_->matching = std::move(result.matching);
@@ -239,7 +238,7 @@ void Mesher::clean() {
   // (mean eta 0.93 against 0.89 on the benchmark domains).
   cleanup.topology = options_.method == Method::best || attempt_ > 0;
   quads_ = clean_up(std::move(quads_), *fields_, cleanup).mesh;
-  if (trace_ != nullptr) trace_->quads.push_back({"cleaned", quads_});
+  if (trace_) trace_->quads.push_back({"cleaned", quads_});
   report_.chain += " + clean-up";
   stage_ = Stage::check;
 }
@@ -299,13 +298,14 @@ Result<Outcome> mesh_domain(const DomainInput& input, const Options& options, Mo
                             Trace* trace, const UserFields& user) {
   auto mesher = Mesher::start(input, options, user);
   if (!mesher) return mesher.error();
-  mesher->set_trace(trace);
+  if (trace != nullptr) mesher->keep_trace();
   while (mesher->stage() != Stage::done) {
     const Progress progress{stage_name(mesher->stage()), mesher->iterations(),
                             mesher->max_iterations(), mesher->energy()};
     if (!monitor(progress)) return Error{ErrorCode::cancelled, "The run was cancelled.", {}};
     if (const auto stage = mesher->step(); !stage) return stage.error();
   }
+  if (trace != nullptr) *trace = *mesher->trace();
   return Outcome{mesher->output(), mesher->report()};
 }
 

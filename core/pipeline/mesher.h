@@ -31,6 +31,7 @@ class Mesher {
   Result<Stage> step(int iterations = 1);
 
   Stage stage() const { return stage_; }
+  const Options& options() const { return options_; }
   const Report& report() const { return report_; }
   int iterations() const { return optimizer_ ? optimizer_->iterations() : 0; }  // of L_p, so far
   int max_iterations() const { return attempt().iterations; }
@@ -42,8 +43,10 @@ class Mesher {
   const QuadMesh& quads() const { return quads_; }         // current quads, once matched
   const OutputMesh& output() const { return output_; }     // once done
 
-  /// Fills `trace` as the stages run; it must outlive the mesher (nullptr: no trace).
-  void set_trace(Trace* trace);
+  /// From now on the stages leave their intermediate values in the trace. It never changes a
+  /// result.
+  void keep_trace();
+  const Trace* trace() const { return trace_ ? &*trace_ : nullptr; }
 
  private:
   // One chain of stages. The first is what was asked for; the others are tried only when the final
@@ -84,7 +87,7 @@ class Mesher {
   OutputMesh output_;
   Report report_;
   std::optional<Candidate> kept_;
-  Trace* trace_ = nullptr;
+  std::optional<Trace> trace_;
 };
 
 struct Outcome {
@@ -92,7 +95,8 @@ struct Outcome {
   Report report;
 };
 
-/// The whole run. `monitor` is asked between steps; stopping gives the error `cancelled`.
+/// The whole run. `monitor` is asked between steps; stopping gives the error `cancelled`. With a
+/// `trace` the intermediate values are left there.
 Result<Outcome> mesh_domain(const DomainInput& input, const Options& options = {},
                             Monitor monitor = {}, Trace* trace = nullptr,
                             const UserFields& user = {});

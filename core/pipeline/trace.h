@@ -2,6 +2,7 @@
 // unit frame; `frame` leads back. Filled only when asked for.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,8 @@ struct QuadStage {
 
 struct Trace {
   UnitFrame frame;
-  Fields fields;  // background mesh, crosses, sizes, singularities
+  // Background mesh, crosses, sizes, singularities; never null.
+  std::shared_ptr<const Fields> fields = std::make_shared<const Fields>();
   std::vector<Vec2> seeds;
   TriMesh start;                    // triangulation of the seeds
   TriMesh triangles;                // where the points ended

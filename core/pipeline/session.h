@@ -1,0 +1,42 @@
+// A run that somebody looks at: it advances in ticks, can go back to any of them, and can be
+// copied. Going back is replaying from a checkpoint, which is exact because every stage is
+// deterministic.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "pipeline/mesher.h"
+
+namespace lpq {
+
+class Session {
+ public:
+  /// Errors: those of Mesher::start.
+  static Result<Session> start(const DomainInput& input, const Options& options = {},
+                               const UserFields& user = {});
+
+  /// Up to n ticks: one iteration each in the L_p stage, one stage elsewhere. Stops at the end.
+  /// Errors: those of Mesher::step; the run is over then, but restore() still leads back.
+  Result<Stage> step(int n = 1);
+  /// Goes to the state after k ticks, forwards or backwards; the same values as the first time.
+  /// Cost: a copy and at most k/6 + 1 ticks. Errors: bad_option when k < 0, those of step.
+  Result<Stage> restore(int k);
+
+  int ticks() const { return ticks_; }
+  const Mesher& mesher() const { return mesher_; }
+
+ private:
+  explicit Session(Mesher mesher);
+  void remember();
+
+  Mesher mesher_;
+  int ticks_ = 0;
+  std::optional<Error> failure_;
+  // States after some tick, ascending; at most max_checkpoints: every `stride_` ticks.
+  std::vector<std::pair<int, Mesher>> checkpoints_;
+  int stride_ = 1;
+};
+
+}  // namespace lpq

@@ -1,0 +1,107 @@
+// A session can be stepped, left, taken back and copied without any change in what it computes.
+#include "pipeline/session.h"
+
+#include <algorithm>
+
+#include "catch.h"
+#include "pipeline/snapshot.h"
+#include "support/shapes.h"
+
+using namespace lpq;
+using namespace lpq_test;
+
+namespace {
+
+const Options paper{.keep_boundary = true, .method = Method::paper, .iterations = 30};
+
+Session started(const DomainInput& input, const Options& options = paper) {
+  auto session = Session::start(input, options);
+  REQUIRE(session);
+  return std::move(*session);
+}
+
+void finish(Session& session) {
+  while (session.mesher().stage() != Stage::done) REQUIRE(session.step(7));
+}
+
+double polygon_area(std::span<const Vec2> polygon) {
+  double twice = 0;
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    twice += cross(polygon[k] - polygon[0], polygon[(k + 1) % polygon.size()] - polygon[0]);
+  return twice / 2;
+}
+
+}  // namespace
+
+TEST_CASE("a session ends where the batch run ends, however it is stepped") {
+  const DomainInput input = hood(0.08);
+  const auto batch = mesh_domain(input, paper);
+  REQUIRE(batch);
+  Session by_one = started(input), by_seven = started(input);
+  while (by_one.mesher().stage() != Stage::done) REQUIRE(by_one.step());
+  finish(by_seven);
+  CHECK(by_one.mesher().report().hash == batch->report.hash);
+  CHECK(by_seven.mesher().report().hash == batch->report.hash);
+  CHECK(by_one.ticks() == by_seven.ticks());
+}
+
+TEST_CASE("going back shows exactly the points that were there") {
+  Session session = started(disc(0.1));
+  std::vector<std::vector<Vec2>> seen{triangle_layer(session.mesher()).points};
+  while (session.mesher().stage() != Stage::done) {
+    REQUIRE(session.step());
+    seen.push_back(triangle_layer(session.mesher()).points);
+  }
+  const int last = session.ticks();
+  for (const int k : {last, 0, 1, 17, 16, last - 1, 2, 31, last}) {
+    REQUIRE(session.restore(k));
+    CHECK(session.ticks() == k);
+    CHECK(triangle_layer(session.mesher()).points == seen[static_cast<std::size_t>(k)]);
+  }
+  CHECK_FALSE(session.restore(-1));
+  CHECK(session.ticks() == last);
+}
+
+TEST_CASE("a copy goes its own way") {
+  Session session = started(plate_with_hole(0.1));
+  REQUIRE(session.step(5));
+  Session copy = session;
+  finish(copy);
+  CHECK(session.ticks() == 5);
+  finish(session);
+  CHECK(session.mesher().report().hash == copy.mesher().report().hash);
+}
+
+TEST_CASE("the layers of a session agree with the domain and with each other") {
+  Session session = started(annulus(0.1));
+  REQUIRE(session.step(4));
+  const CellLayer cells = cell_layer(session.mesher());
+  const TriangleLayer triangles = triangle_layer(session.mesher());
+  double cell_area = 0, triangle_area = 0;
+  for (Index c = 0; c < cells.polygons.rows(); ++c)
+    cell_area += polygon_area(cells.polygons.row(c));
+  for (const Tri& t : triangles.triangles) {
+    const std::array<Vec2, 3> corners{triangles.points[t[0]], triangles.points[t[1]],
+                                      triangles.points[t[2]]};
+    triangle_area += polygon_area(corners);
+  }
+  CHECK(cell_area == Approx(triangle_area).epsilon(1e-12));
+  CHECK(cells.energy == Approx(session.mesher().energy()).epsilon(1e-12));
+  CHECK(matching_layer(session.mesher()).triangles.empty());
+  CHECK(quad_layer(session.mesher()).faces.empty());
+
+  finish(session);
+  const MatchingLayer matching = matching_layer(session.mesher());
+  for (std::size_t t = 0; t < matching.mate.size(); ++t) {
+    REQUIRE(matching.mate[t] != none);
+    CHECK(matching.mate[static_cast<std::size_t>(matching.mate[t])] == static_cast<Index>(t));
+  }
+  const QuadLayer quads = quad_layer(session.mesher());
+  const QuadQuality& quality = session.mesher().report().quality;
+  CHECK(static_cast<Index>(quads.faces.size()) == quality.quads);
+  CHECK(*std::min_element(quads.eta.begin(), quads.eta.end()) == quality.eta_min);
+  Index irregular = 0;
+  for (std::size_t v = static_cast<std::size_t>(quads.fixed); v < quads.points.size(); ++v)
+    irregular += quads.excess[v] != 0 ? 1 : 0;
+  CHECK(irregular == quality.interior_vertices - quality.regular_vertices);
+}
