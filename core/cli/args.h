@@ -86,8 +86,4 @@ std::string option_flag(std::string_view name);
 Result<MeshArgs> parse_mesh_args(std::span<const std::string_view> args);
 Result<CheckArgs> parse_check_args(std::span<const std::string_view> args);
 
-/// The candidate with the fewest edits (insert, delete, replace, swap) from `word`, "" if none is
-/// near enough to be meant.
-std::string nearest_name(std::string_view word, std::span<const std::string> candidates);
-
 }  // namespace lpq

@@ -4,7 +4,7 @@
 #include <array>
 #include <new>
 
-#include "cli/args.h"
+#include "base/nearest_name.h"
 #include "cli/commands.h"
 #include "cli/help.h"
 #include "io/error_text.h"

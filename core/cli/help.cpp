@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "cli/args.h"
+#include "io/describe.h"
 #include "io/number.h"
 
 namespace lpq {
@@ -117,6 +118,6 @@ std::string check_help() {
   return out;
 }
 
-std::string version_text() { return "lpquad " LPQ_VERSION "\n"; }
+std::string version_text() { return std::string("lpquad ") + version() + "\n"; }
 
 }  // namespace lpq

@@ -24,7 +24,9 @@ void radix_sort(std::vector<Keyed>& items) {
   std::vector<Keyed> other(items.size());
   for (int pass = 0; pass < 3; ++pass) {
     const int shift = 32 + pass * digit_bits;
-    const auto digit = [&](Keyed item) { return (item >> shift) & ((1u << digit_bits) - 1); };
+    const auto digit = [&](Keyed item) {
+      return static_cast<std::size_t>((item >> shift) & ((1u << digit_bits) - 1));
+    };
     std::array<std::uint32_t, (1u << digit_bits) + 1> begin{};
     for (const Keyed item : items) ++begin[digit(item) + 1];
     for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];

@@ -272,7 +272,7 @@ std::optional<Error> insert_segments(WholePlane& plane, std::span<const Segment>
   }
   Rng rng(missing.size());
   for (std::size_t i = missing.size(); i > 1; --i) {
-    std::swap(missing[i - 1], missing[rng.below(i)]);
+    std::swap(missing[i - 1], missing[static_cast<std::size_t>(rng.below(i))]);
   }
   for (const auto& [a, b] : missing) {
     if (auto error = inserter.insert(a, b)) return error;

@@ -4,6 +4,7 @@
 // "points": [[x, y] or {"position": [x, y], "tag": ""}] and "h": size. Other keys are ignored.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "base/result.h"
@@ -15,5 +16,8 @@ namespace lpq {
 /// and non_finite with line and byte and, in the message, the path of the value; too_large beyond
 /// 1 GiB. Memory grows with the text, never with a number written in it; nesting is limited.
 Result<DomainInput> parse_domain_json(std::string_view text);
+
+/// Text that reads back as the same domain, bit for bit.
+std::string write_domain_json(const DomainInput& domain);
 
 }  // namespace lpq

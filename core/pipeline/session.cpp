@@ -9,16 +9,17 @@ constexpr std::size_t max_checkpoints = 12;
 
 }  // namespace
 
-Session::Session(Mesher mesher) : mesher_(std::move(mesher)) {
+Session::Session(Mesher mesher, Memory memory) : mesher_(std::move(mesher)) {
+  if (memory == Memory::nothing) return;
   mesher_.keep_trace();
   checkpoints_.emplace_back(0, mesher_);
 }
 
 Result<Session> Session::start(const DomainInput& input, const Options& options,
-                               const UserFields& user) {
+                               const UserFields& user, Memory memory) {
   auto mesher = Mesher::start(input, options, user);
   if (!mesher) return mesher.error();
-  return Session(std::move(*mesher));
+  return Session(std::move(*mesher), memory);
 }
 
 Result<Stage> Session::step(int n) {
@@ -38,6 +39,8 @@ Result<Stage> Session::restore(int k) {
   if (k < 0)
     return Error{ErrorCode::bad_option, "There is no tick before 0, the start of the run.", {}};
   if (k < ticks_ || failure_) {
+    if (checkpoints_.empty())
+      return Error{ErrorCode::bad_option, "This session keeps no memory to go back in.", {}};
     failure_.reset();
     std::size_t nearest = checkpoints_.size() - 1;
     while (checkpoints_[nearest].first > k) --nearest;
@@ -49,7 +52,7 @@ Result<Stage> Session::restore(int k) {
 
 /// Keeps every stride-th state; when there are too many, every other one goes.
 void Session::remember() {
-  if (ticks_ % stride_ != 0 || ticks_ <= checkpoints_.back().first) return;
+  if (checkpoints_.empty() || ticks_ % stride_ != 0 || ticks_ <= checkpoints_.back().first) return;
   checkpoints_.emplace_back(ticks_, mesher_);
   if (checkpoints_.size() <= max_checkpoints) return;
   stride_ *= 2;

@@ -13,28 +13,35 @@ namespace lpq {
 
 class Session {
  public:
+  enum class Memory {
+    everything,  // checkpoints to go back to, and the trace
+    nothing,     // forwards only: no more memory than a batch run
+  };
+
   /// Errors: those of Mesher::start.
   static Result<Session> start(const DomainInput& input, const Options& options = {},
-                               const UserFields& user = {});
+                               const UserFields& user = {}, Memory memory = Memory::everything);
 
   /// Up to n ticks: one iteration each in the L_p stage, one stage elsewhere. Stops at the end.
   /// Errors: those of Mesher::step; the run is over then, but restore() still leads back.
   Result<Stage> step(int n = 1);
   /// Goes to the state after k ticks, forwards or backwards; the same values as the first time.
-  /// Cost: a copy and at most k/6 + 1 ticks. Errors: bad_option when k < 0, those of step.
+  /// Cost: a copy and at most k/6 + 1
+  /// ticks. Errors: bad_option when k < 0 or there is no memory of it, those of step.
   Result<Stage> restore(int k);
 
   int ticks() const { return ticks_; }
   const Mesher& mesher() const { return mesher_; }
 
  private:
-  explicit Session(Mesher mesher);
+  Session(Mesher mesher, Memory memory);
   void remember();
 
   Mesher mesher_;
   int ticks_ = 0;
   std::optional<Error> failure_;
-  // States after some tick, ascending; at most max_checkpoints: every `stride_` ticks.
+  // States after some tick, ascending; at most max_checkpoints: every `stride_` ticks. Empty: none
+  // are kept.
   std::vector<std::pair<int, Mesher>> checkpoints_;
   int stride_ = 1;
 };

@@ -1,0 +1,66 @@
+// See describe.h.
+#include "io/describe.h"
+
+#include "io/json_write.h"
+#include "pipeline/options.h"
+
+namespace lpq {
+namespace {
+
+template <class T>
+void append_kind(JsonWriter& json, const T& value, const FieldInfo& info) {
+  if constexpr (std::is_same_v<T, bool>) {
+    json.member("type", "boolean");
+    json.member("default", value);
+  } else if constexpr (std::is_enum_v<T>) {
+    json.member("type", "choice");
+    json.member("default", choice_name(value));
+    json.array("choices", ChoiceNames<T>::names);
+  } else {
+    json.member("type", std::is_integral_v<T> ? "integer" : "number");
+    json.member("default", value);
+    json.member("min", info.min);
+    json.member("max", info.max);
+  }
+}
+
+void append_options(JsonWriter& json) {
+  json.key("options");
+  json.begin_array();
+  const Options defaults;
+  each_field(defaults, [&](const char* name, const auto& value, const FieldInfo& info) {
+    json.begin_object();
+    json.member("name", name);
+    append_kind(json, value, info);
+    json.member("unit", info.unit);
+    json.member("help", info.help);
+    json.end_object();
+  });
+  json.end_array();
+}
+
+void append_codes(JsonWriter& json) {
+  json.key("errorCodes");
+  json.begin_array();
+  for (int code = 0; code <= static_cast<int>(ErrorCode::io_error); ++code)
+    json.value(code_name(static_cast<ErrorCode>(code)));
+  json.end_array();
+}
+
+}  // namespace
+
+const char* version() { return LPQ_VERSION; }
+
+std::string write_description() {
+  std::string out;
+  JsonWriter json(out);
+  json.begin_object();
+  json.member("version", version());
+  append_options(json);
+  append_codes(json);
+  json.end_object();
+  out += '\n';
+  return out;
+}
+
+}  // namespace lpq

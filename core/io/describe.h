@@ -1,0 +1,16 @@
+// What this build of the library knows, as data: for bindings, their types and user interfaces.
+#pragma once
+
+#include <string>
+
+namespace lpq {
+
+/// "0.1.0"
+const char* version();
+
+/// JSON: {"version", "options": [{"name", "type": "number"|"integer"|"boolean"|"choice", "default",
+/// "min", "max" (numbers), "choices" (choices), "unit", "help"}, ..] in order,
+/// "errorCodes": ["PARSE_ERROR", ..], "meshFormats": [..], "domainFormats": [..]}.
+std::string write_description();
+
+}  // namespace lpq

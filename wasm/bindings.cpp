@@ -1,0 +1,243 @@
+// What JavaScript sees of the core: a few functions from values to values, and one handle, the
+// session. js/index.js makes the public API of it. Nothing throws: a result with `error` is an
+// error as JSON text.
+#include <emscripten/bind.h>
+
+#include <memory>
+#include <new>
+
+#include "io/describe.h"
+#include "io/json_domain.h"
+#include "io/mesh_format.h"
+#include "io/report.h"
+#include "marshal.h"
+#include "options.h"
+#include "pipeline/session.h"
+#include "pipeline/snapshot.h"
+
+namespace lpq {
+namespace {
+
+/// Running out of memory ends the call, not the instance: everything it held is freed on the way.
+template <class Work>
+val guarded(Work&& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return failure({ErrorCode::out_of_memory,
+                    "There is not enough memory for this mesh. Use a larger size.",
+                    {}});
+  }
+}
+
+/// {sizes: Float64Array x, y, h, ..; size, angle: functions of (x, y)}, each optional.
+UserFields fields_from(const val& fields) {
+  UserFields user;
+  const std::vector<double> at = doubles_from(fields["sizes"]);
+  for (std::size_t i = 0; i + 2 < at.size(); i += 3)
+    user.sizes.push_back({{at[i], at[i + 1]}, at[i + 2]});
+  const val size = fields["size"], angle = fields["angle"];
+  if (!size.isUndefined()) user.size = [size](Vec2 p) { return size(p.x, p.y).as<double>(); };
+  if (!angle.isUndefined()) user.angle = [angle](Vec2 p) { return angle(p.x, p.y).as<double>(); };
+  return user;
+}
+
+val mesh_result(const OutputMesh& mesh, const Report& report, const Options& options) {
+  val result = to_js(mesh);
+  result.set("report", write_report_json(report, mesh, options));
+  return result;
+}
+
+bool ask(const Progress& progress, void* callback) {
+  return static_cast<const val*>(callback)
+      ->
+      operator()(std::string(progress.stage), progress.iteration, progress.max_iterations,
+                 progress.energy)
+      .isTrue();
+}
+
+/// `progress(stage, iteration, maxIterations, energy)` returns false to cancel; or null.
+val mesh_packed_domain(const val& packed, const val& option_object, const val& fields,
+                       val progress) {
+  return guarded([&] {
+    const auto options = options_from(option_object);
+    if (!options) return failure(options.error());
+    const Monitor monitor = progress.isNull() ? Monitor{} : Monitor{ask, &progress};
+    const auto outcome =
+        mesh_domain(domain_from(packed), *options, monitor, nullptr, fields_from(fields));
+    if (!outcome) return failure(outcome.error());
+    return mesh_result(outcome->mesh, outcome->report, *options);
+  });
+}
+
+val text_result(const std::string& text) {
+  val result = val::object();
+  result.set("text", text);
+  return result;
+}
+
+val write_mesh_text(const val& mesh_object, const std::string& format, const val& choices) {
+  return guarded([&] {
+    const auto mesh = mesh_from(mesh_object);
+    if (!mesh) return failure(mesh.error());
+    const auto known = mesh_format("." + format);
+    if (!known)
+      return failure({ErrorCode::bad_option, "There is no mesh format '" + format + "'.", {}});
+    return text_result(write_mesh(
+        *mesh, *known,
+        choices["mshVersion"].strictlyEquals(val("2.2")) ? MshVersion::v2_2 : MshVersion::v4_1));
+  });
+}
+
+val read_domain_text(const std::string& text, const std::string&, const std::string&) {
+  return guarded([&] {
+    const auto domain = parse_domain_json(text);
+    if (!domain) return failure(domain.error());
+    val result = text_result(write_domain_json(*domain));
+    result.set("warnings", std::string("[]"));
+    return result;
+  });
+}
+
+class JsSession {
+ public:
+  explicit JsSession(Session session) : session_(std::move(session)) {}
+
+  val step(int n) {
+    return advance([&] { return session_.step(n); });
+  }
+  val restore(int k) {
+    return advance([&] { return session_.restore(k); });
+  }
+  std::shared_ptr<JsSession> clone() const { return std::make_shared<JsSession>(session_); }
+
+  val state() const {
+    const Mesher& m = session_.mesher();
+    val js = val::object();
+    js.set("stage", std::string(stage_name(m.stage())));
+    js.set("tick", session_.ticks());
+    js.set("iteration", m.iterations());
+    js.set("maxIterations", m.max_iterations());
+    js.set("energy", m.energy());
+    return js;
+  }
+  val result() const {
+    const Mesher& m = session_.mesher();
+    return guarded([&] { return mesh_result(m.output(), m.report(), m.options()); });
+  }
+
+  val triangles() const {
+    const TriangleLayer layer = triangle_layer(session_.mesher());
+    val js = val::object();
+    js.set("points", to_array(layer.points));
+    js.set("triangles", to_corners(layer.triangles));
+    js.set("boundaryNodes", layer.fixed);
+    return js;
+  }
+  val cells() const {
+    const CellLayer layer = cell_layer(session_.mesher());
+    val js = val::object();
+    js.set("points", to_array(layer.polygons.values));
+    js.set("offsets", to_array(layer.polygons.offsets));
+    js.set("sites", to_array(layer.site));
+    js.set("density", to_array(layer.density));
+    js.set("energy", layer.energy);
+    return js;
+  }
+  val crosses() const {
+    const CrossLayer layer = cross_layer(session_.mesher());
+    std::vector<Vec2> at;
+    std::vector<Index> index;
+    for (const Singularity& s : layer.singularities) {
+      at.push_back(s.position);
+      index.push_back(s.index);
+    }
+    val js = val::object();
+    js.set("points", to_array(layer.points));
+    js.set("axes", to_array(layer.axis));
+    js.set("singularities", to_array(at));
+    js.set("indices", to_array(index));
+    return js;
+  }
+  val sizes() const {
+    const SizeLayer layer = size_layer(session_.mesher());
+    val js = val::object();
+    js.set("points", to_array(layer.points));
+    js.set("triangles", to_corners(layer.triangles));
+    js.set("sizes", to_array(layer.h));
+    return js;
+  }
+  val matching() const {
+    const MatchingLayer layer = matching_layer(session_.mesher());
+    val js = val::object();
+    js.set("points", to_array(layer.points));
+    js.set("triangles", to_corners(layer.triangles));
+    js.set("mates", to_array(layer.mate));
+    js.set("extra", to_array(layer.extra));
+    js.set("costs", to_array(layer.cost));
+    return js;
+  }
+  val quads() const {
+    const QuadLayer layer = quad_layer(session_.mesher());
+    val js = val::object();
+    js.set("points", to_array(layer.points));
+    js.set("quads", to_corners(layer.faces, 4));
+    js.set("triangles", to_corners(layer.faces, 3));
+    js.set("eta", to_array(layer.eta));
+    js.set("valence", to_array(layer.valence));
+    js.set("excess", to_array(layer.excess));
+    js.set("boundaryNodes", layer.fixed);
+    return js;
+  }
+
+ private:
+  template <class Move>
+  val advance(Move&& move) {
+    return guarded([&] {
+      const auto stage = move();
+      return stage ? state() : failure(stage.error());
+    });
+  }
+
+  Session session_;
+};
+
+/// {session} or {error}.
+val start_session(const val& packed, const val& option_object, const val& fields, bool memory) {
+  return guarded([&] {
+    const auto options = options_from(option_object);
+    if (!options) return failure(options.error());
+    auto session = Session::start(domain_from(packed), *options, fields_from(fields),
+                                  memory ? Session::Memory::everything : Session::Memory::nothing);
+    if (!session) return failure(session.error());
+    val result = val::object();
+    result.set("session", val(std::make_shared<JsSession>(std::move(*session))));
+    return result;
+  });
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(lpquad) {
+  using namespace emscripten;
+  function("meshDomain", &mesh_packed_domain);
+  function("start", &start_session);
+  function("writeMesh", &write_mesh_text);
+  function("readDomain", &read_domain_text);
+  function("describe", &write_description);
+  class_<JsSession>("Session")
+      .smart_ptr<std::shared_ptr<JsSession>>("Session")
+      .function("step", &JsSession::step)
+      .function("restore", &JsSession::restore)
+      .function("clone", &JsSession::clone)
+      .function("state", &JsSession::state)
+      .function("result", &JsSession::result)
+      .function("triangles", &JsSession::triangles)
+      .function("cells", &JsSession::cells)
+      .function("crosses", &JsSession::crosses)
+      .function("sizes", &JsSession::sizes)
+      .function("matching", &JsSession::matching)
+      .function("quads", &JsSession::quads);
+}
+
+}  // namespace lpq

@@ -1,0 +1,117 @@
+// The public API over one instance of the module. Every value that leaves is a copy.
+import { packDomain } from './domain.js';
+import { LpquadError, unwrap } from './errors.js';
+import { splitOptions } from './fields.js';
+
+/** Layers a snapshot can hold, by name. */
+const layerNames = ['triangles', 'cells', 'crosses', 'sizes', 'matching', 'quads'];
+
+function meshResult(raw) {
+  const { report, ...mesh } = unwrap(raw);
+  return { ...mesh, report: JSON.parse(report) };
+}
+
+/** Runs a core call; what a function of the caller's threw meanwhile goes on its way. */
+function call(thrown, work) {
+  const raw = work();
+  if (thrown.length > 0) throw thrown[0];
+  return raw;
+}
+
+export class Session {
+  #handle;
+  #thrown;
+
+  constructor(handle, thrown) {
+    this.#handle = handle;
+    this.#thrown = thrown;
+  }
+
+  /** @returns {any} the live handle */
+  #live() {
+    if (this.#handle === null)
+      throw new LpquadError('BAD_OPTION', 'This session has been disposed of.');
+    return this.#handle;
+  }
+  #move(work) {
+    this.#thrown.length = 0;
+    return unwrap(call(this.#thrown, work));
+  }
+
+  get state() { return this.#live().state(); }
+  step(n = 1) { return this.#move(() => this.#live().step(n)); }
+  restore(tick) { return this.#move(() => this.#live().restore(tick)); }
+
+  finish() {
+    while (this.state.stage !== 'done') this.step(1000);
+    return meshResult(this.#live().result());
+  }
+
+  snapshot(layers = {}) {
+    for (const name of Object.keys(layers))
+      if (!layerNames.includes(name))
+        throw new LpquadError('BAD_OPTION',
+          `There is no layer '${name}'; the layers are ${layerNames.join(', ')}.`);
+    const snapshot = this.#live().state();
+    for (const name of layerNames)
+      if (layers[name]) snapshot[name] = unwrap(this.#live()[name]());
+    return snapshot;
+  }
+
+  clone() { return new Session(this.#live().clone(), this.#thrown); }
+
+  dispose() {
+    this.#handle?.delete();
+    this.#handle = null;
+  }
+}
+// Where the engine knows explicit resource management: `using session = lpquad.start(…)`.
+if (Symbol.dispose) Session.prototype[Symbol.dispose] = Session.prototype.dispose;
+
+export class Lpquad {
+  #module;
+
+  constructor(module, build) {
+    this.#module = module;
+    const table = JSON.parse(module.describe());
+    this.version = table.version;
+    this.build = build;
+    this.options = table.options;
+    this.errorCodes = table.errorCodes;
+    this.meshFormats = table.meshFormats;
+    this.domainFormats = table.domainFormats;
+  }
+
+  meshDomain(domain, options) {
+    const { table, fields, onProgress, thrown } = splitOptions(options);
+    const progress = onProgress && ((stage, iteration, maxIterations, energy) => {
+      try {
+        return onProgress({ stage, iteration, maxIterations, energy }) !== false;
+      } catch (error) {
+        thrown.push(error);
+        return false;
+      }
+    });
+    const packed = packDomain(domain);
+    return meshResult(call(thrown, () =>
+      this.#module.meshDomain(packed, table, fields, progress ?? null)));
+  }
+
+  start(domain, options) {
+    const { memory = true, ...rest } = options ?? {};
+    const { table, fields, thrown } = splitOptions(rest);
+    const packed = packDomain(domain);
+    const raw = call(thrown, () => this.#module.start(packed, table, fields, memory));
+    return new Session(unwrap(raw).session, thrown);
+  }
+
+  readDomain(source, { name = '', format = '' } = {}) {
+    const bytes = source instanceof ArrayBuffer ? new Uint8Array(source) : source;
+    const { text, warnings } = unwrap(this.#module.readDomain(bytes, format, name));
+    return { ...JSON.parse(text), warnings: JSON.parse(warnings) };
+  }
+
+  writeMesh(mesh, format, { mshVersion = '4.1', inpElement } = {}) {
+    return unwrap(this.#module.writeMesh(mesh, format, { mshVersion, inpElement })).text;
+  }
+}

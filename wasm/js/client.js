@@ -1,0 +1,187 @@
+// The other side of worker-thread.js: the same API as promises. A worker that does not answer a
+// cancel in time, or that died, is replaced; callers of other runs are told.
+import { LpquadError } from './errors.js';
+
+const patience = 80;  // milliseconds a cancelled run may take to notice, before its worker goes
+
+export class LpquadWorker {
+  #spawn;
+  #source;
+  #worker = null;
+  #calls = new Map();
+  #sessions = 0;
+  #nextId = 1;
+  #ready = null;
+
+  /**
+   * @param {(handlers: {message: (m: any) => void, lost: (reason: string) => void}) =>
+   *   {post: (m: any, transfer?: Transferable[]) => void, terminate: () => void,
+   *    busy?: (busy: boolean) => void}} spawn
+   */
+  constructor(spawn, source) {
+    this.#spawn = spawn;
+    this.#source = source;
+  }
+
+  /** Starts the worker, unless it runs; resolves to what the library says about itself. */
+  ready() {
+    if (this.#ready === null) {
+      const generation = {};
+      const worker = this.#spawn({
+        message: (message) => this.#receive(message),
+        lost: (reason) => { if (this.#worker?.generation === generation) this.#lose(reason); },
+      });
+      this.#worker = { ...worker, generation };
+      this.#ready = this.#send('create', { source: this.#source });
+      this.#ready.catch(() => this.terminate());
+    }
+    return this.#ready;
+  }
+
+  #receive({ id, value, error, progress }) {
+    const call = this.#calls.get(id);
+    if (call === undefined) return;
+    if (progress !== undefined) return call.onProgress?.(progress);
+    this.#calls.delete(id);
+    this.#worker?.busy?.(this.#calls.size > 0);
+    if (error !== undefined) call.reject(new LpquadError(error.code, error.message, error.where));
+    else call.resolve(value);
+  }
+
+  #lose(reason) {
+    const calls = [...this.#calls.values()];
+    this.#calls.clear();
+    this.#worker?.terminate();
+    this.#worker = null;
+    this.#ready = null;
+    this.#sessions = 0;
+    for (const call of calls) call.reject(new LpquadError('WORKER_LOST', reason));
+  }
+
+  #send(op, args, { onProgress, transfer } = {}) {
+    const id = this.#nextId++;
+    return Object.assign(new Promise((resolve, reject) => {
+      this.#calls.set(id, { resolve, reject, onProgress });
+      this.#worker.busy?.(true);
+      try {
+        this.#worker.post({ id, op, ...args, withProgress: onProgress !== undefined }, transfer);
+      } catch (cause) {
+        this.#calls.delete(id);
+        reject(new LpquadError('BAD_OPTION',
+          'Functions do not cross into a worker; give sizes as samples instead.', {}, { cause }));
+      }
+    }), { id });
+  }
+
+  async #call(op, args, control) {
+    await this.ready();
+    if (control.signal?.aborted) throw cancelled(control.signal);
+    const sent = this.#send(op, args, control);
+    control.id = sent.id;
+    return sent;
+  }
+
+  /** One call, with an abort answered at once, whatever the worker does. */
+  async #run(op, args, options = {}) {
+    const control = { ...options, id: 0 };
+    const { signal } = control;
+    if (signal?.aborted) throw cancelled(signal);
+    const work = this.#call(op, args, control);
+    if (!signal) return work;
+    work.catch(() => {});
+    let stop;
+    const aborted = new Promise((_, reject) => {
+      stop = () => {
+        if (this.#calls.has(control.id)) this.#cancel(control.id);
+        reject(cancelled(signal));
+      };
+      signal.addEventListener('abort', stop, { once: true });
+    });
+    try {
+      return await Promise.race([work, aborted]);
+    } finally {
+      signal.removeEventListener('abort', stop);
+    }
+  }
+
+  /** Asks the run to end; a worker too busy to hear it is replaced, if nobody else needs it. */
+  #cancel(id) {
+    this.#worker?.post({ id, op: 'cancel' });
+    setTimeout(() => {
+      if (!this.#calls.has(id)) return;
+      if (this.#sessions === 0 && this.#calls.size === 1) this.#lose('The run was cancelled.');
+    }, patience);
+  }
+
+  meshDomain(domain, options = {}, control = {}) {
+    return this.#run('meshDomain', { domain, options }, control);
+  }
+  readDomain(source, options = {}) {
+    return this.#run('readDomain', { bytes: source, options });
+  }
+  writeMesh(mesh, format, options = {}) {
+    return this.#run('writeMesh', { mesh, format, options });
+  }
+  async start(domain, options = {}, control = {}) {
+    return this.#adopt(await this.#run('start', { domain, options }, control));
+  }
+
+  #adopt({ session, state }) {
+    ++this.#sessions;
+    const lost = () => { this.#sessions = Math.max(0, this.#sessions - 1); };
+    const run = (op, args, control) => this.#run(op, { session, ...args }, control);
+    const adopt = (raw) => this.#adopt(raw);
+    return new RemoteSession(run, adopt, lost, state);
+  }
+
+  terminate() {
+    if (this.#worker !== null) this.#lose('The worker was terminated.');
+  }
+}
+if (Symbol.dispose) LpquadWorker.prototype[Symbol.dispose] = LpquadWorker.prototype.terminate;
+
+class RemoteSession {
+  #run;
+  #adopt;
+  #released;
+  #disposed = false;
+  state;
+
+  constructor(run, adopt, released, state) {
+    this.#run = run;
+    this.#adopt = adopt;
+    this.#released = released;
+    this.state = state;
+  }
+
+  async #move(op, args, control) {
+    this.state = await this.#run(op, args, control);
+    return this.state;
+  }
+  step(count = 1, control) { return this.#move('step', { count }, control); }
+  restore(tick, control) { return this.#move('restore', { tick }, control); }
+  snapshot(layers = {}) { return this.#run('snapshot', { layers }); }
+  finish(control) { return this.#run('finish', {}, control); }
+  async clone() { return this.#adopt(await this.#run('clone', {})); }
+
+  /** Snapshots after every `every` ticks until the end: `for await (const s of session.run())`. */
+  async *run({ layers = { triangles: true, quads: true }, every = 1, signal } = {}) {
+    while (this.state.stage !== 'done') {
+      await this.step(every, { signal });
+      yield await this.snapshot(layers);
+    }
+  }
+
+  async dispose() {
+    if (this.#disposed) return;
+    this.#disposed = true;
+    this.#released();
+    await this.#run('dispose', {});
+  }
+}
+if (Symbol.asyncDispose)
+  RemoteSession.prototype[Symbol.asyncDispose] = RemoteSession.prototype.dispose;
+
+function cancelled(signal) {
+  return new LpquadError('CANCELLED', 'The run was cancelled.', {}, { cause: signal.reason });
+}

@@ -1,0 +1,23 @@
+// `lpquad/worker` for Node.
+import { Worker } from 'node:worker_threads';
+
+import { LpquadWorker } from './client.js';
+
+export { LpquadError } from './errors.js';
+
+const ownWorker = () => new Worker(new URL('./worker-entry-node.js', import.meta.url));
+
+export function createLpquadWorker({ worker = ownWorker, ...source } = {}) {
+  return new LpquadWorker(({ message, lost }) => {
+    const thread = worker();
+    thread.on('message', message);
+    thread.on('error', (error) => lost(`The worker failed: ${error.message}.`));
+    thread.on('exit', () => lost('The worker ended.'));
+    return {
+      post: (data, transfer = []) => thread.postMessage(data, transfer),
+      terminate: () => void thread.terminate(),
+      // An idle worker does not keep the program alive.
+      busy: (busy) => (busy ? thread.ref() : thread.unref()),
+    };
+  }, source);
+}

@@ -1,0 +1,21 @@
+// `lpquad/worker` for browsers and bundlers.
+import { LpquadWorker } from './client.js';
+
+export { LpquadError } from './errors.js';
+
+// Written out in full: this is the form that bundlers look for.
+const ownWorker = () =>
+  new Worker(new URL('./worker-entry.js', import.meta.url), { type: 'module', name: 'lpquad' });
+
+export function createLpquadWorker({ worker = ownWorker, ...source } = {}) {
+  return new LpquadWorker(({ message, lost }) => {
+    const thread = worker();
+    thread.onmessage = (event) => message(event.data);
+    thread.onerror = (event) => lost(`The worker failed: ${event.message ?? 'it did not load'}.`);
+    thread.onmessageerror = () => lost('The worker sent something unreadable.');
+    return {
+      post: (data, transfer = []) => thread.postMessage(data, transfer),
+      terminate: () => thread.terminate(),
+    };
+  }, source);
+}

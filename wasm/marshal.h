@@ -1,0 +1,48 @@
+// JavaScript values to core values and back. Everything crosses by copy, as typed arrays: a view
+// into the heap would die with its next growth.
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <span>
+#include <vector>
+
+#include "base/result.h"
+#include "domain/domain.h"
+#include "mesh/output_mesh.h"
+#include "mesh/tri_mesh.h"
+
+namespace lpq {
+
+using emscripten::val;
+
+val to_array(std::span<const double> values);  // Float64Array
+val to_array(std::span<const Vec2> points);    // Float64Array  x0, y0, x1, ...
+val to_array(std::span<const Index> values);   // Int32Array
+/// Corners of the faces with that many of them; Uint32Array, `corners` per face.
+val to_corners(std::span<const Face> faces, int corners);
+val to_corners(std::span<const Tri> triangles);
+val to_strings(const std::vector<std::string>& texts);
+
+std::vector<double> doubles_from(const val& array);
+std::vector<Vec2> points_from(const val& array);
+std::vector<Index> indices_from(const val& array);
+std::vector<std::string> strings_from(const val& array);
+
+/// The packed form that js/domain.js makes of whatever the caller gave:
+///   regions: string[], loopsPerRegion: Int32Array,
+///   sizes: Int32Array     points of each loop, then of each polyline
+///   points: Float64Array  of all loops, all polylines, then the single points
+///   tags: string[], edgeTags: Int32Array (per loop edge, -1 = untagged; empty = none),
+///   polylineTags, pointTags: Int32Array, h: number
+DomainInput domain_from(const val& packed);
+
+/// The arrays of MeshResult in js/index.d.ts; `report` is added by the caller.
+val to_js(const OutputMesh& mesh);
+/// Errors: parse_error for an index that leads nowhere.
+Result<OutputMesh> mesh_from(const val& mesh);
+
+/// {error: {code, message, where}} as JSON text, which js/errors.js turns into a LpquadError.
+val failure(const Error& error);
+
+}  // namespace lpq

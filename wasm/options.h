@@ -1,0 +1,15 @@
+// A JavaScript object to Options, by the option table.
+#pragma once
+
+#include <emscripten/val.h>
+
+#include "base/result.h"
+#include "pipeline/options.h"
+
+namespace lpq {
+
+/// Members that are absent or undefined keep their defaults. Errors: bad_option, for a name that
+/// does not exist (with the nearest one that does), a wrong type or choice.
+Result<Options> options_from(const emscripten::val& object);
+
+}  // namespace lpq
