@@ -76,16 +76,16 @@ val text_result(const std::string& text) {
   return result;
 }
 
-val write_mesh_text(const val& mesh_object, const std::string& format, const val& choices) {
+val write_mesh_text(const val& mesh_object, const std::string& format, const val& option_object) {
   return guarded([&] {
     const auto mesh = mesh_from(mesh_object);
     if (!mesh) return failure(mesh.error());
-    const auto known = mesh_format("." + format);
+    const auto options = write_options_from(option_object);
+    if (!options) return failure(options.error());
+    const auto known = mesh_format_by_name(format);
     if (!known)
       return failure({ErrorCode::bad_option, "There is no mesh format '" + format + "'.", {}});
-    return text_result(write_mesh(
-        *mesh, *known,
-        choices["mshVersion"].strictlyEquals(val("2.2")) ? MshVersion::v2_2 : MshVersion::v4_1));
+    return text_result(write_mesh(*mesh, *known, *options));
   });
 }
 

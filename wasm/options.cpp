@@ -51,10 +51,9 @@ requires(std::is_enum_v<Choice>) std::string read(const val& value, Choice& memb
 
 Error bad_option(std::string message) { return {ErrorCode::bad_option, std::move(message), {}}; }
 
-}  // namespace
-
-Result<Options> options_from(const val& object) {
-  Options options;
+template <class Table>
+Result<Table> table_from(const val& object) {
+  Table options;
   std::vector<std::string> known;
   std::string fault;
   each_field(options, [&](const char* name, auto& member, const FieldInfo&) {
@@ -74,6 +73,13 @@ Result<Options> options_from(const val& object) {
                       (nearest.empty() ? "" : " Did you mean '" + nearest + "'?"));
   }
   return options;
+}
+
+}  // namespace
+
+Result<Options> options_from(const val& object) { return table_from<Options>(object); }
+Result<MeshWriteOptions> write_options_from(const val& object) {
+  return table_from<MeshWriteOptions>(object);
 }
 
 }  // namespace lpq

@@ -1,9 +1,10 @@
-// A JavaScript object to Options, by the option table.
+// A JavaScript object to an option struct, by its table.
 #pragma once
 
 #include <emscripten/val.h>
 
 #include "base/result.h"
+#include "io/mesh_format.h"
 #include "pipeline/options.h"
 
 namespace lpq {
@@ -11,5 +12,6 @@ namespace lpq {
 /// Members that are absent or undefined keep their defaults. Errors: bad_option, for a name that
 /// does not exist (with the nearest one that does), a wrong type or choice.
 Result<Options> options_from(const emscripten::val& object);
+Result<MeshWriteOptions> write_options_from(const emscripten::val& object);
 
 }  // namespace lpq

@@ -13,22 +13,10 @@
 
 namespace lpq {
 
-enum class MshChoice { v4_1, v2_2 };
-template <>
-struct ChoiceNames<MshChoice> {
-  static constexpr std::array<const char*, 2> names{"4.1", "2.2"};
-};
-
-template <>
-struct ChoiceNames<InpElement> {
-  static constexpr std::array<const char*, 4> names{"CPS4", "CPE4", "CAX4", "S4"};
-};
-
 /// What `lpquad mesh` reads and writes. "" = not asked for.
 struct MeshFiles {
   std::string output, report, stages, svg;
-  MshChoice msh_version = MshChoice::v4_1;
-  InpElement inp_element = InpElement::cps4;
+  MeshWriteOptions write;
   bool quiet = false;
 };
 
@@ -43,10 +31,7 @@ void each_field(O& o, F&& visit) {
         FieldInfo{0, 0, "file",
                   "Counts, quality, energies and times as JSON; on failure the error."});
   visit("stages", o.stages, FieldInfo{0, 0, "folder", "Every intermediate value of the run."});
-  visit("mshVersion", o.msh_version, FieldInfo{0, 0, "", "Version of .msh files."});
-  visit("inpElement", o.inp_element,
-        FieldInfo{0, 0, "",
-                  "Elements of .inp files: plane stress, plane strain, axisymmetric or shell."});
+  each_field(o.write, visit);
   visit("quiet", o.quiet, FieldInfo{0, 0, "", "Print nothing but errors."});
 }
 

@@ -73,11 +73,8 @@ class Run {
   }
 
   void write_results(Writer& writer, const Outcome& outcome, const Trace& trace) const {
-    const MeshWriteOptions options{
-        args_.files.msh_version == MshChoice::v2_2 ? MshVersion::v2_2 : MshVersion::v4_1,
-        args_.files.inp_element};
     if (!files_.output.empty()) {
-      writer.write(files_.output, write_mesh(outcome.mesh, files_.format, options));
+      writer.write(files_.output, write_mesh(outcome.mesh, files_.format, args_.files.write));
     }
     if (!files_.svg.empty()) writer.write(files_.svg, draw_quads(outcome.mesh));
     if (!files_.report.empty()) {

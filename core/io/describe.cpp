@@ -2,6 +2,7 @@
 #include "io/describe.h"
 
 #include "io/json_write.h"
+#include "io/mesh_format.h"
 #include "pipeline/options.h"
 
 namespace lpq {
@@ -24,10 +25,10 @@ void append_kind(JsonWriter& json, const T& value, const FieldInfo& info) {
   }
 }
 
-void append_options(JsonWriter& json) {
-  json.key("options");
+template <class Table>
+void append_table(JsonWriter& json, std::string_view name, const Table& defaults) {
+  json.key(name);
   json.begin_array();
-  const Options defaults;
   each_field(defaults, [&](const char* name, const auto& value, const FieldInfo& info) {
     json.begin_object();
     json.member("name", name);
@@ -56,8 +57,13 @@ std::string write_description() {
   JsonWriter json(out);
   json.begin_object();
   json.member("version", version());
-  append_options(json);
+  append_table(json, "options", Options{});
+  append_table(json, "writeOptions", MeshWriteOptions{});
   append_codes(json);
+  json.key("meshFormats");
+  json.begin_array();
+  for (const MeshFormatInfo& info : mesh_formats) json.value(info.name);
+  json.end_array();
   json.end_object();
   out += '\n';
   return out;

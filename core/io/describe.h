@@ -10,7 +10,8 @@ const char* version();
 
 /// JSON: {"version", "options": [{"name", "type": "number"|"integer"|"boolean"|"choice", "default",
 /// "min", "max" (numbers), "choices" (choices), "unit", "help"}, ..] in order,
-/// "errorCodes": ["PARSE_ERROR", ..], "meshFormats": [..], "domainFormats": [..]}.
+/// "writeOptions": the same for writing meshes, "errorCodes": ["PARSE_ERROR", ..], "meshFormats":
+/// [..], "domainFormats": [..]}.
 std::string write_description();
 
 }  // namespace lpq

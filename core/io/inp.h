@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "base/fields.h"
 #include "mesh/output_mesh.h"
 
 namespace lpq {
@@ -12,6 +13,10 @@ namespace lpq {
 /// Plane stress, plane strain, axisymmetric (x is the radius), or shell. Triangles get the
 /// three-node element of the same kind.
 enum class InpElement { cps4, cpe4, cax4, s4 };
+template <>
+struct ChoiceNames<InpElement> {
+  static constexpr std::array<const char*, 4> names{"CPS4", "CPE4", "CAX4", "S4"};
+};
 
 /// One *ELSET per region, one *NSET per name of edges and tagged points, and one *SURFACE per name
 /// of edges (faces S1 .. S4 = corner 1-2, .. 4-1; of the element on the left of an edge inside).

@@ -49,6 +49,15 @@ struct MeshWriteOptions {
   InpElement inp_element = InpElement::cps4;
 };
 
+template <class O, class F>
+requires std::is_same_v<std::remove_const_t<O>, MeshWriteOptions>
+void each_field(O& o, F&& visit) {
+  visit("mshVersion", o.msh_version, FieldInfo{0, 0, "", "Version of .msh files."});
+  visit("inpElement", o.inp_element,
+        FieldInfo{0, 0, "",
+                  "Elements of .inp files: plane stress, plane strain, axisymmetric or shell."});
+}
+
 std::string write_mesh(const OutputMesh& mesh, MeshFormat format,
                        const MeshWriteOptions& options = {});
 

@@ -7,12 +7,17 @@
 #include <string>
 #include <string_view>
 
+#include "base/fields.h"
 #include "base/result.h"
 #include "mesh/output_mesh.h"
 
 namespace lpq {
 
-enum class MshVersion { v2_2, v4_1 };
+enum class MshVersion { v4_1, v2_2 };
+template <>
+struct ChoiceNames<MshVersion> {
+  static constexpr std::array<const char*, 2> names{"4.1", "2.2"};
+};
 
 std::string write_msh(const OutputMesh& mesh, MshVersion version = MshVersion::v4_1);
 

@@ -56,6 +56,7 @@ struct UserFields {
 };
 
 template <class O, class F>
+requires std::is_same_v<std::remove_const_t<O>, Options>
 void each_field(O& o, F&& visit) {
   visit("size", o.size,
         FieldInfo{0, 1e300, "length",

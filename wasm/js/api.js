@@ -77,6 +77,7 @@ export class Lpquad {
     this.version = table.version;
     this.build = build;
     this.options = table.options;
+    this.writeOptions = table.writeOptions;
     this.errorCodes = table.errorCodes;
     this.meshFormats = table.meshFormats;
     this.domainFormats = table.domainFormats;
@@ -111,7 +112,7 @@ export class Lpquad {
     return { ...JSON.parse(text), warnings: JSON.parse(warnings) };
   }
 
-  writeMesh(mesh, format, { mshVersion = '4.1', inpElement } = {}) {
-    return unwrap(this.#module.writeMesh(mesh, format, { mshVersion, inpElement })).text;
+  writeMesh(mesh, format, options = {}) {
+    return unwrap(this.#module.writeMesh(mesh, format, options)).text;
   }
 }

@@ -40,8 +40,7 @@ export function serve(port, createLpquad) {
   const operations = {
     async create({ source }) {
       lpquad = await createLpquad(source);
-      const { version, build, options, errorCodes, meshFormats, domainFormats } = lpquad;
-      return { version, build, options, errorCodes, meshFormats, domainFormats };
+      return { ...lpquad };  // what it says about itself; private members stay
     },
     async meshDomain({ id, domain, options, withProgress }) {
       const session = lpquad.start(domain, { ...options, memory: false });
