@@ -100,15 +100,19 @@ val to_array(std::span<const Vec2> points) {
 }
 val to_array(std::span<const Index> values) { return copied(values.size(), values.data()); }
 
+val to_indices(std::span<const Index> values) {
+  return copied(values.size(), reinterpret_cast<const std::uint32_t*>(values.data()));
+}
+
 val to_corners(std::span<const Face> faces, int corners) {
-  std::vector<std::uint32_t> nodes;
+  std::vector<Index> nodes;
   for (const Face& face : faces)
     if (corner_count(face) == corners)
-      for (int k = 0; k < corners; ++k) nodes.push_back(static_cast<std::uint32_t>(face[k]));
-  return copied(nodes.size(), nodes.data());
+      nodes.insert(nodes.end(), face.begin(), face.begin() + corners);
+  return to_indices(nodes);
 }
 val to_corners(std::span<const Tri> triangles) {
-  return copied(3 * triangles.size(), reinterpret_cast<const std::uint32_t*>(triangles.data()));
+  return to_indices({reinterpret_cast<const Index*>(triangles.data()), 3 * triangles.size()});
 }
 
 val to_strings(const std::vector<std::string>& texts) {
@@ -177,11 +181,11 @@ val to_js(const OutputMesh& mesh) {
   js.set("quadRegions", to_array(regions_of_faces(mesh, 4)));
   js.set("triangles", to_corners(mesh.faces, 3));
   js.set("triangleRegions", to_array(regions_of_faces(mesh, 3)));
-  js.set("edges", to_array(ends));
+  js.set("edges", to_indices(ends));
   js.set("edgeTags", to_array(column(mesh, &OutputEdge::tag)));
   js.set("edgeRegions", to_array(sides));
   js.set("edgeOrigins", to_array(origin));
-  js.set("taggedPoints", to_array(points));
+  js.set("taggedPoints", to_indices(points));
   js.set("pointTags", to_array(tags));
   js.set("regions", to_strings(mesh.regions));
   js.set("tags", to_strings(mesh.tags));

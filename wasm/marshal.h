@@ -16,9 +16,10 @@ namespace lpq {
 
 using emscripten::val;
 
-val to_array(std::span<const double> values);  // Float64Array
-val to_array(std::span<const Vec2> points);    // Float64Array  x0, y0, x1, ...
-val to_array(std::span<const Index> values);   // Int32Array
+val to_array(std::span<const double> values);   // Float64Array
+val to_array(std::span<const Vec2> points);     // Float64Array  x0, y0, x1, ...
+val to_array(std::span<const Index> values);    // Int32Array
+val to_indices(std::span<const Index> values);  // Uint32Array, for values that are never none
 /// Corners of the faces with that many of them; Uint32Array, `corners` per face.
 val to_corners(std::span<const Face> faces, int corners);
 val to_corners(std::span<const Tri> triangles);

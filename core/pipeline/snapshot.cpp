@@ -1,6 +1,8 @@
 // See snapshot.h.
 #include "pipeline/snapshot.h"
 
+#include <algorithm>
+
 #include "cleanup/ideal_valence.h"
 #include "lpcvt/energy.h"
 #include "voronoi/clipped.h"
@@ -99,7 +101,9 @@ QuadLayer quad_layer(const Mesher& mesher) {
   layer.points = to_world(mesh.points, mesher.frame());
   layer.faces = mesh.faces;
   layer.fixed = mesh.fixed;
-  for (const Face& face : mesh.faces) layer.eta.push_back(face_eta(mesh, face));
+  std::stable_partition(layer.faces.begin(), layer.faces.end(),
+                        [](const Face& face) { return corner_count(face) == 4; });
+  for (const Face& face : layer.faces) layer.eta.push_back(face_eta(mesh, face));
   const QuadTopology topology(mesh);
   const IdealValence ideal(topology);
   for (Index v = 0; v < topology.vertex_count(); ++v) {

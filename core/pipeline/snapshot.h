@@ -50,7 +50,7 @@ struct MatchingLayer {
 /// The quads, once matched.
 struct QuadLayer {
   std::vector<Vec2> points;    // #V
-  std::vector<Face> faces;     // #F
+  std::vector<Face> faces;     // #F  quads first, then triangles
   std::vector<double> eta;     // #F  0 for a triangle
   std::vector<Index> valence;  // #V  faces at the vertex
   std::vector<Index> excess;   // #V  faces beyond the number wanted there; 0 = regular

@@ -31,6 +31,7 @@ for part in "$@"; do
       need_command ccx calculix-ccx
       need_command python3 python3
       /usr/bin/python3 -c 'import meshio' 2>/dev/null || missing+=(python3-meshio) ;;
+    wasm) need_command em++ emscripten ;;
     fuzz)
       need_command clang++ clang
       need_file libclang-rt-14-dev '/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*.a' \

@@ -1,0 +1,284 @@
+/**
+ * lpquad: quadrilateral meshes of plane domains.
+ *
+ * Coordinates are pairs of doubles in the caller's unit of length, which is also the unit of every
+ * size. Indices count from 0. Shapes in comments: #V points, #Q quads, #T triangles, #E edges.
+ */
+import type { ErrorCode, MeshFormat, DomainFormat, MeshOptions, WriteOptions } from './generated.js';
+
+export type { ErrorCode, MeshFormat, DomainFormat, MeshOptions, WriteOptions };
+
+/** A closed loop: `[[x, y], …]` or flat `[x0, y0, x1, y1, …]`. The first point is not repeated. */
+export type Loop = ReadonlyArray<readonly [number, number]> | ArrayLike<number>;
+
+/** What bounds one region: the loop of largest area is its outline, the others are its holes. */
+export interface Loops {
+  /** In any order and orientation. */
+  loops: readonly Loop[];
+  /** One text per loop and edge; edge i runs from point i to i + 1. `''` is untagged. */
+  tags?: ReadonlyArray<ReadonlyArray<string | null | undefined>>;
+}
+
+export interface DomainParts {
+  /** Lines inside the domain that become mesh edges. */
+  polylines?: ReadonlyArray<{ points: Loop; tag?: string }>;
+  /** Points inside the domain that become mesh vertices. */
+  points?: ReadonlyArray<readonly [number, number] | { position: readonly [number, number]; tag?: string }>;
+  /** Target edge length that comes with the domain; `MeshOptions.size` wins over it. */
+  h?: number;
+  /** Comments, ignored. */
+  name?: string;
+  description?: string;
+}
+
+/** One region, or several that may share edges; shared edges stay conforming. */
+export type Domain =
+  | (Loops & DomainParts)
+  | ({ regions: ReadonlyArray<Loops & { name?: string }> } & DomainParts);
+
+/** The options of the mesher (`MeshOptions`), and what of the caller's own goes with them. */
+export interface MeshCallOptions extends MeshOptions {
+  /** Target sizes at points: `[[x, y, h], …]` or flat `[x0, y0, h0, …]`. */
+  sizes?: ReadonlyArray<readonly [number, number, number]> | ArrayLike<number>;
+  /** Target size anywhere; wins over `sizes` and `size`. Not across workers. */
+  sizeAt?: (x: number, y: number) => number;
+  /** Direction of the quads anywhere, radians; replaces the cross field. Not across workers. */
+  angleAt?: (x: number, y: number) => number;
+  /** Called between steps; returning false ends the run with the error CANCELLED. */
+  onProgress?: (progress: Progress) => boolean | void;
+}
+
+export interface Progress {
+  /** What comes next: seeds, optimise, match, clean, check, done. */
+  stage: Stage;
+  /** Of the L_p optimisation. */
+  iteration: number;
+  maxIterations: number;
+  /** L_p energy, without unit; 0 outside the optimisation. */
+  energy: number;
+}
+
+export type Stage = 'seeds' | 'optimise' | 'match' | 'clean' | 'check' | 'done';
+
+export interface Mesh {
+  /** x0, y0, x1, y1, …  2 #V. With `keepBoundary` the given points come first, bit for bit. */
+  points: Float64Array;
+  /** Corners, counter-clockwise, 4 #Q. */
+  quads: Uint32Array;
+  /** Region of each quad, index into `regions`, #Q. */
+  quadRegions: Int32Array;
+  /** Left-over triangles (only where they were allowed), 3 #T. */
+  triangles: Uint32Array;
+  triangleRegions: Int32Array;
+  /** The 1D mesh: edges a, b of the outline, holes, region borders and polylines, 2 #E. */
+  edges: Uint32Array;
+  /** Tag of each edge, index into `tags`, -1 = untagged, #E. */
+  edgeTags: Int32Array;
+  /** Regions on the left and right of each edge, -1 = outside, 2 #E. */
+  edgeRegions: Int32Array;
+  /** Region, loop and edge of the domain each edge comes from, 3 #E; a polyline has region -1. */
+  edgeOrigins: Int32Array;
+  /** Vertices the caller tagged, and their tags. */
+  taggedPoints: Uint32Array;
+  pointTags: Int32Array;
+  /** Names as given; `''` = unnamed. */
+  regions: string[];
+  tags: string[];
+  /** Points 0 … boundaryNodes - 1 are those of the 1D mesh. */
+  boundaryNodes: number;
+}
+
+export interface MeshResult extends Mesh {
+  report: Report;
+}
+
+export interface Report {
+  vertices: number;
+  quads: number;
+  triangles: number;
+  boundaryNodes: number;
+  boundaryEdges: number;
+  seeds: number;
+  /** Seeds that ∫ dA / h² asks for. */
+  expectedSeeds: number;
+  singularities: number;
+  /** Eq. 2 of the paper, before the matching. */
+  tau: number;
+  matchingCost: number;
+  extraEdges: number;
+  /** Chains of stages tried until the final check passed. */
+  attempts: number;
+  chain: string;
+  simplifyDeviation: number;
+  /** Fingerprint of points and faces, 16 hexadecimal digits: equal meshes, equal hashes. */
+  hash: string;
+  quality: {
+    /** η of section 5 of the paper: 1 is a rectangle, 0 has a corner of 0° or 180°. */
+    etaMean: number;
+    etaMin: number;
+    etaP5: number;
+    interiorVertices: number;
+    fourValentPercent: number;
+    inverted: number;
+    nonconvex: number;
+    /** Interior vertices by valence; the last entry counts 9 and more. */
+    valenceHistogram: number[];
+    /** Quads by η in 20 equal bins. */
+    etaHistogram: number[];
+  };
+  /** Edge length over target. */
+  size: { p10: number; p50: number; p90: number; min: number; max: number };
+  lp: { ran: boolean; status?: string; energy?: number[]; gradientNorm?: number[] };
+  options: Required<MeshOptions>;
+  cpuSeconds: Record<string, number>;
+  warnings: ReportedError[];
+  [more: string]: unknown;
+}
+
+export interface ReportedError {
+  code: ErrorCode;
+  message: string;
+  where: Where;
+}
+
+/** The place of an error in the input; absent members do not apply. */
+export interface Where {
+  region?: number;
+  loop?: number;
+  edge?: number;
+  otherLoop?: number;
+  otherEdge?: number;
+  /** Coordinates in the caller's units. */
+  x?: number;
+  y?: number;
+  /** In a file: 1-based line, 0-based byte. */
+  line?: number;
+  byte?: number;
+}
+
+/** What every call of this library throws (or rejects with) when it is not the library's fault. */
+export class LpquadError extends Error {
+  constructor(code: string, message: string, where?: Where, options?: ErrorOptions);
+  name: 'LpquadError';
+  /** `BAD_WASM`: what was loaded is not the library; `WORKER_LOST`: see lpquad/worker. */
+  code: ErrorCode | 'BAD_WASM' | 'WORKER_LOST';
+  where: Where;
+}
+
+/** Where a run is. A tick is one iteration of the L_p stage, or one whole stage elsewhere. */
+export interface State extends Progress {
+  tick: number;
+}
+
+/** Names of the layers to take; see Snapshot. */
+export interface Layers {
+  triangles?: boolean;
+  cells?: boolean;
+  crosses?: boolean;
+  sizes?: boolean;
+  matching?: boolean;
+  quads?: boolean;
+}
+
+export interface Snapshot extends State {
+  /** The current triangulation: before the matching, what L_p moves. */
+  triangles?: { points: Float64Array; triangles: Uint32Array; boundaryNodes: number };
+  /**
+   * Clipped Voronoi cells: polygon i has the points offsets[i] … offsets[i + 1] - 1 and belongs to
+   * vertex sites[i] of the triangulation; `density` is energy per area of each vertex's cell.
+   */
+  cells?: { points: Float64Array; offsets: Int32Array; sites: Int32Array; density: Float64Array; energy: number };
+  /** One arm (cos θ, sin θ) of the cross at each point; singularities by quarters of a turn. */
+  crosses?: { points: Float64Array; axes: Float64Array; singularities: Float64Array; indices: Int32Array };
+  /** Target size at the points of a background triangulation. */
+  sizes?: { points: Float64Array; triangles: Uint32Array; sizes: Float64Array };
+  /**
+   * The triangles that were matched, the partner of each (-1: none), whether an extra edge joins
+   * the two, and the cost of the pair in units of 10⁻⁴ (1 - η).
+   */
+  matching?: { points: Float64Array; triangles: Uint32Array; mates: Int32Array; extra: Int32Array; costs: Float64Array };
+  /** η per face (quads first as listed, then triangles), valence per vertex and its excess. */
+  quads?: {
+    points: Float64Array; quads: Uint32Array; triangles: Uint32Array; eta: Float64Array;
+    valence: Int32Array; excess: Int32Array; boundaryNodes: number;
+  };
+}
+
+/** A run that can be stepped, looked into, taken back and copied. Dispose of it when done. */
+export interface Session {
+  readonly state: State;
+  /** Up to `ticks` (1) ticks forwards. */
+  step(ticks?: number): State;
+  /** To the state after `tick` ticks, forwards or backwards: exactly the same points. */
+  restore(tick: number): State;
+  snapshot(layers?: Layers): Snapshot;
+  /** Runs to the end. */
+  finish(): MeshResult;
+  clone(): Session;
+  dispose(): void;
+  [Symbol.dispose](): void;
+}
+
+export interface OptionInfo {
+  name: string;
+  type: 'number' | 'integer' | 'boolean' | 'choice';
+  default: number | boolean | string;
+  min?: number;
+  max?: number;
+  choices?: string[];
+  /** `'length'`: the caller's unit of length. */
+  unit: string;
+  help: string;
+}
+
+/** What the library says about itself. */
+export interface Description {
+  version: string;
+  /** Which WebAssembly runs: with SIMD, without, or the caller's own. All give the same bytes. */
+  build: 'simd' | 'plain' | 'custom';
+  options: OptionInfo[];
+  writeOptions: OptionInfo[];
+  errorCodes: ErrorCode[];
+  meshFormats: MeshFormat[];
+  domainFormats: DomainFormat[];
+}
+
+export interface ReadOptions {
+  /** File name, whose ending tells the format. */
+  name?: string;
+  format?: DomainFormat;
+}
+
+/** A domain as read from a file; goes into meshDomain as it is. */
+export type ReadDomain = {
+  regions: Array<{ name: string; loops: Array<Array<[number, number]>>; tags?: string[][] }>;
+  polylines: Array<{ points: Array<[number, number]>; tag: string }>;
+  points: Array<{ position: [number, number]; tag: string }>;
+  h?: number;
+  /** Gaps closed and parts left out. */
+  warnings: ReportedError[];
+};
+
+export interface Lpquad extends Description {
+  /**
+   * Meshes a domain. Cost: about 50 µs per quad.
+   * @throws {LpquadError} codes as in `errorCodes`; the instance stays usable.
+   */
+  meshDomain(domain: Domain, options?: MeshCallOptions): MeshResult;
+  /** The same in steps. `memory: false` forgets the past: less memory, no way back. */
+  start(domain: Domain, options?: Omit<MeshCallOptions, 'onProgress'> & { memory?: boolean }): Session;
+  /** A domain from the text or bytes of a file. */
+  readDomain(source: string | Uint8Array | ArrayBuffer, options?: ReadOptions): ReadDomain;
+  /** A mesh as the text of a file. */
+  writeMesh(mesh: Mesh, format: MeshFormat, options?: WriteOptions): string;
+}
+
+/** Where the WebAssembly comes from, if not from the file beside the module. */
+export interface WasmSource {
+  wasmUrl?: string | URL;
+  wasmBinary?: ArrayBuffer | Uint8Array;
+  wasmModule?: WebAssembly.Module;
+}
+
+/** Loads the library; the same instance for the same source, however often it is called. */
+export function createLpquad(source?: WasmSource): Promise<Lpquad>;

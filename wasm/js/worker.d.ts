@@ -1,0 +1,51 @@
+/**
+ * `lpquad/worker`: the library in a worker of its own. The same calls as promises; results are
+ * transferred, not copied. An abort is answered at once; a worker that is lost is replaced by the
+ * next call.
+ */
+import type {
+  Description, Domain, Layers, Mesh, MeshCallOptions, MeshFormat, MeshResult, Progress, ReadDomain,
+  ReadOptions, Snapshot, State, WasmSource, WriteOptions,
+} from './index.js';
+
+export { LpquadError } from './index.js';
+
+/** The worker takes no functions: sizes are given as samples. */
+export type WorkerMeshOptions = Omit<MeshCallOptions, 'sizeAt' | 'angleAt' | 'onProgress'>;
+
+export interface Control {
+  /** Ends the run with the error CANCELLED, whose `cause` is the signal's reason. */
+  signal?: AbortSignal;
+  onProgress?: (progress: Progress & { tick: number }) => void;
+}
+
+export interface WorkerSession {
+  /** As of the last call that came back. */
+  readonly state: State;
+  step(ticks?: number, control?: Control): Promise<State>;
+  restore(tick: number, control?: Control): Promise<State>;
+  snapshot(layers?: Layers): Promise<Snapshot>;
+  finish(control?: Control): Promise<MeshResult>;
+  clone(): Promise<WorkerSession>;
+  /** Snapshots after every `every` (1) ticks until the end. */
+  run(options?: { layers?: Layers; every?: number; signal?: AbortSignal }): AsyncGenerator<Snapshot>;
+  dispose(): Promise<void>;
+}
+
+export interface LpquadWorker {
+  /** Starts the worker, unless it runs. */
+  ready(): Promise<Description>;
+  meshDomain(domain: Domain, options?: WorkerMeshOptions, control?: Control): Promise<MeshResult>;
+  start(domain: Domain, options?: WorkerMeshOptions, control?: Control): Promise<WorkerSession>;
+  readDomain(source: string | Uint8Array | ArrayBuffer, options?: ReadOptions): Promise<ReadDomain>;
+  writeMesh(mesh: Mesh, format: MeshFormat, options?: WriteOptions): Promise<string>;
+  /** Open calls and sessions end with WORKER_LOST. */
+  terminate(): void;
+  [Symbol.dispose](): void;
+}
+
+/**
+ * @param options  `worker` makes the thread where the bundler does not know
+ *   `new Worker(new URL(…))`: `() => new Worker(urlOfWorkerEntry, { type: 'module' })`.
+ */
+export function createLpquadWorker(options?: WasmSource & { worker?: () => unknown }): LpquadWorker;

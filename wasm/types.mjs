@@ -1,0 +1,42 @@
+// The types that come from the option tables in C++: generated.d.ts, from what the built library
+// says about itself. usage: node wasm/types.mjs [--check]
+import { readFileSync, writeFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+
+const target = fileURLToPath(new URL('js/generated.d.ts', import.meta.url));
+
+const quoted = (names) => names.map((name) => `'${name}'`).join(' | ');
+
+const typeOf = (option) =>
+  option.type === 'choice' ? quoted(option.choices)
+    : option.type === 'boolean' ? 'boolean' : 'number';
+
+function comment(option) {
+  const facts = [option.help];
+  if (option.type === 'integer') facts.push('A whole number.');
+  if (option.unit) facts.push(`Unit: ${option.unit}.`);
+  if (option.min !== undefined) facts.push(`Range: ${option.min} to ${option.max}.`);
+  return [...facts, `@default ${JSON.stringify(option.default)}`].map((line) => `   * ${line}`);
+}
+
+const table = (name, options) => [`export interface ${name} {`,
+  ...options.flatMap((option) =>
+    ['  /**', ...comment(option), '   */', `  ${option.name}?: ${typeOf(option)};`]), '}', ''];
+
+export function generatedTypes(description) {
+  return ['// Made by wasm/types.mjs from the option tables of the core; do not edit.', '',
+    ...table('MeshOptions', description.options), ...table('WriteOptions', description.writeOptions),
+    `export type ErrorCode =\n  | ${description.errorCodes.map((c) => `'${c}'`).join('\n  | ')};`, '',
+    `export type MeshFormat = ${quoted(description.meshFormats)};`, '',
+    `export type DomainFormat = ${quoted(description.domainFormats)};`, ''].join('\n');
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const { createLpquad } = await import(new URL('../dist/node.js', import.meta.url).href);
+  const text = generatedTypes(await createLpquad());
+  if (!process.argv.includes('--check')) writeFileSync(target, text);
+  else if (readFileSync(target, 'utf8') !== text) {
+    console.error('generated.d.ts is not what the library says; run: node wasm/types.mjs');
+    process.exitCode = 1;
+  }
+}
