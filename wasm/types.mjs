@@ -28,7 +28,7 @@ export function generatedTypes(description) {
     ...table('MeshOptions', description.options), ...table('WriteOptions', description.writeOptions),
     `export type ErrorCode =\n  | ${description.errorCodes.map((c) => `'${c}'`).join('\n  | ')};`, '',
     `export type MeshFormat = ${quoted(description.meshFormats)};`, '',
-    `export type DomainFormat = ${quoted(description.domainFormats)};`, ''].join('\n');
+    `export type DomainFormat = ${quoted(description.domainFormats ?? [])};`, ''].join('\n');
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {

@@ -1,0 +1,130 @@
+// Made by wasm/types.mjs from the option tables of the core; do not edit.
+
+export interface MeshOptions {
+  /**
+   * Target edge length; 0 takes the domain's own h, or the boundary's spacing when it is kept.
+   * Unit: length.
+   * Range: 0 to 1e+300.
+   * @default 0
+   */
+  size?: number;
+  /**
+   * The given points are the boundary mesh and come back bit for bit.
+   * @default false
+   */
+  keepBoundary?: boolean;
+  /**
+   * quad: no triangle at all; quad-dominant: a triangle may stay where it is better.
+   * @default "quad"
+   */
+  elements?: 'quad' | 'quad-dominant';
+  /**
+   * best: the chain of stages that measures best; paper: isotropic start, L_p, Blossom, smoothing.
+   * @default "best"
+   */
+  method?: 'best' | 'paper';
+  /**
+   * Initial points: aligned with the cross field, isotropic, or what the method prefers.
+   * @default "automatic"
+   */
+  seeds?: 'automatic' | 'aligned' | 'isotropic';
+  /**
+   * Exponent p of the L_p energy.
+   * Range: 2 to 20.
+   * @default 6
+   */
+  norm?: number;
+  /**
+   * L-BFGS iterations; -1 is 80 for an isotropic start and none for an aligned one.
+   * A whole number.
+   * Range: -1 to 100000.
+   * @default -1
+   */
+  iterations?: number;
+  /**
+   * Seed of the isotropic start's jitter.
+   * A whole number.
+   * Range: 0 to 9007199254740991.
+   * @default 1
+   */
+  seed?: number;
+  /**
+   * Largest slope of the size field.
+   * Range: 0.01 to 10.
+   * @default 0.3
+   */
+  growth?: number;
+  /**
+   * Boundary vertices may be dropped when the outline moves by at most this (not with keepBoundary).
+   * Unit: length.
+   * Range: 0 to 1e+300.
+   * @default 0
+   */
+  simplify?: number;
+  /**
+   * A kept boundary with an odd count may get one added point.
+   * @default false
+   */
+  allowAddedPoint?: boolean;
+  /**
+   * Repeated consecutive points are an error instead of merged with a warning.
+   * @default false
+   */
+  strict?: boolean;
+  /**
+   * Iterations of the final smoothing.
+   * A whole number.
+   * Range: 0 to 10000.
+   * @default 100
+   */
+  smoothing?: number;
+  /**
+   * Refuse before allocating when more elements than this are expected.
+   * A whole number.
+   * Range: 1 to 100000000.
+   * @default 10000000
+   */
+  maxElements?: number;
+}
+
+export interface WriteOptions {
+  /**
+   * Version of .msh files.
+   * @default "4.1"
+   */
+  mshVersion?: '4.1' | '2.2';
+  /**
+   * Elements of .inp files: plane stress, plane strain, axisymmetric or shell.
+   * @default "CPS4"
+   */
+  inpElement?: 'CPS4' | 'CPE4' | 'CAX4' | 'S4';
+}
+
+export type ErrorCode =
+  | 'PARSE_ERROR'
+  | 'BAD_OPTION'
+  | 'NON_FINITE'
+  | 'EMPTY'
+  | 'TOO_FEW_POINTS'
+  | 'DUPLICATE_POINT'
+  | 'ZERO_AREA'
+  | 'SELF_INTERSECTION'
+  | 'OVERLAPPING_EDGES'
+  | 'TOUCHING'
+  | 'HOLE_OUTSIDE'
+  | 'NESTED_OR_DUPLICATE_HOLE'
+  | 'REGION_CONFLICT'
+  | 'BAD_SIZE'
+  | 'ODD_BOUNDARY'
+  | 'TOO_NARROW'
+  | 'LOST_PRECISION'
+  | 'TOO_MANY_ELEMENTS'
+  | 'TOO_LARGE'
+  | 'NO_VALID_MESH'
+  | 'OUT_OF_MEMORY'
+  | 'CANCELLED'
+  | 'IO_ERROR';
+
+export type MeshFormat = 'obj' | 'msh' | 'vtu' | 'vtk' | 'inp' | 'su2' | 'bdf' | 'ply' | 'geojson' | 'svg' | 'json';
+
+export type DomainFormat = ;
