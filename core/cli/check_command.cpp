@@ -6,7 +6,7 @@
 #include "cli/expected_boundary.h"
 #include "cli/files.h"
 #include "cli/help.h"
-#include "io/json_domain.h"
+#include "io/domain_format.h"
 #include "io/mesh_format.h"
 #include "io/number.h"
 #include "io/report.h"
@@ -28,9 +28,9 @@ Result<OutputMesh> load_mesh(const std::string& name) {
 Result<Domain> load_domain(const std::string& name) {
   const auto text = read_file(name);
   if (!text) return text.error();
-  const auto input = parse_domain_json(*text);
-  if (!input) return input.error();
-  return make_domain(*input);
+  const auto file = read_domain_file(name, *text);
+  if (!file) return file.error();
+  return make_domain(file->domain);
 }
 
 QuadMesh plain_mesh(const OutputMesh& mesh) {

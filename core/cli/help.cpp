@@ -85,7 +85,7 @@ void append_options(std::string& out, const Table& table) {
 std::string general_help() {
   return "lpquad - quadrilateral meshes of plane domains\n"
          "\n"
-         "  lpquad mesh DOMAIN.json... -o MESH    mesh domains\n"
+         "  lpquad mesh DOMAIN... -o MESH         mesh domains\n"
          "  lpquad check MESH [--domain DOMAIN]   judge a mesh\n"
          "  lpquad COMMAND --help                 all options of a command\n"
          "  lpquad --version\n"
@@ -96,10 +96,11 @@ std::string general_help() {
 
 std::string mesh_help() {
   std::string out =
-      "lpquad mesh DOMAIN.json... -o MESH [options]\n"
+      "lpquad mesh DOMAIN... -o MESH [options]\n"
       "\n"
-      "Meshes each domain; '-' reads it from standard input. With several inputs the names of\n"
-      "output files contain {}, which stands for the input's name, or -o is a folder.\n"
+      "Meshes each domain: .json, .geojson, .svg, .poly (Triangle), .msh (Gmsh) or .dxf; '-' reads\n"
+      "it from standard input. With several inputs the names of output files contain {}, which\n"
+      "stands for the input's name, or -o is a folder.\n"
       "\nFiles\n";
   append_options(out, MeshFiles{});
   out += "\nMethod\n";

@@ -10,8 +10,8 @@
 #include "cli/help.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
+#include "io/domain_format.h"
 #include "io/error_text.h"
-#include "io/json_domain.h"
 #include "io/report.h"
 #include "io/stages.h"
 #include "io/svg.h"
@@ -42,11 +42,13 @@ class Run {
   int operator()() {
     const auto text = read_file(files_.input);
     if (!text) return fail(text.error(), exit_bad_input);
-    const auto domain = parse_domain_json(*text);
-    if (!domain) return fail(domain.error());
+    const auto file = read_domain_file(files_.input, *text);
+    if (!file) return fail(file.error());
     Trace trace;
-    auto outcome = mesh(*domain, files_.stages.empty() ? nullptr : &trace);
+    auto outcome = mesh(file->domain, files_.stages.empty() ? nullptr : &trace);
     if (!outcome) return fail(outcome.error());
+    std::vector<Warning>& warnings = outcome->report.warnings;  // the file's come first
+    warnings.insert(warnings.begin(), file->warnings.begin(), file->warnings.end());
     Writer writer;
     write_results(writer, *outcome, trace);
     if (writer.failure()) return fail(*writer.failure());

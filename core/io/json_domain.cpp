@@ -3,17 +3,12 @@
 // one place, with the path of the value, and nothing is stored that is not part of the domain.
 #include "io/json_domain.h"
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <utility>
+
+#include "io/json_text.h"
 
 namespace lpq {
 namespace {
-
-constexpr std::size_t max_text = std::size_t{1} << 30;  // bytes
-constexpr std::size_t max_depth = 64;                   // of ignored values; a domain needs 7
 
 enum class Role {
   document,
@@ -101,63 +96,11 @@ const char* expected(Role role, Kind kind) {
   return nullptr;
 }
 
-/// An input iterator that shows how far the lexer has read.
-struct Cursor {
-  using iterator_category = std::input_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = const char&;
-
-  const char* at;
-  const char** reached;
-
-  reference operator*() const { return *at; }
-  Cursor& operator++() {
-    *reached = ++at;
-    return *this;
-  }
-  Cursor operator++(int) {
-    Cursor old = *this;
-    ++*this;
-    return old;
-  }
-  bool operator==(const Cursor& other) const { return at == other.at; }
-  bool operator!=(const Cursor& other) const { return at != other.at; }
-};
-
-/// Some programs write NaN and Infinity, which are not JSON. Outside strings they become empty
-/// strings of the same width, so that places stay true; as coordinates they are refused by name.
-std::string without_bare_literals(std::string_view text) {
-  std::string result(text);
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (in_string && text[i] == '\\')
-      ++i;
-    else if (text[i] == '"')
-      in_string = !in_string;
-    if (in_string) continue;
-    for (const std::string_view literal : {"NaN", "-Infinity", "Infinity"}) {
-      if (text.substr(i, literal.size()) != literal) continue;
-      result.replace(i, literal.size(), literal.size(), ' ');
-      result[i] = result[i + 1] = '"';
-      i += literal.size() - 1;
-      break;
-    }
-  }
-  return result;
-}
-
 class Reader final : public nlohmann::json_sax<nlohmann::json> {
  public:
-  /// `text` as the caller wrote it, `json` of the same width without NaN and Infinity.
-  Reader(std::string_view text, std::string_view json)
-      : text_(text), json_(json), reached_(json.data()) {}
+  explicit Reader(JsonText& text) : text_(text) {}
 
-  bool run() {
-    return nlohmann::json::sax_parse(Cursor{json_.data(), &reached_},
-                                     Cursor{json_.data() + json_.size(), &reached_}, this);
-  }
+  bool run() { return text_.parse(*this); }
   Result<DomainInput> take() {
     if (failed_) return error_;
     if (!has_loops_ && !has_regions_)
@@ -211,8 +154,7 @@ class Reader final : public nlohmann::json_sax<nlohmann::json> {
   std::string path() const;
   Error fail_value(ErrorCode code, std::string message);
 
-  std::string_view text_, json_;
-  const char* reached_;
+  JsonText& text_;
   std::vector<Frame> frames_;
   DomainInput input_;
   bool has_loops_ = false, has_regions_ = false, failed_ = false;
@@ -256,9 +198,7 @@ bool Reader::number(double value) {
 
 bool Reader::string(string_t& value) {
   const Role role = next_role();
-  // Where the quotes of an empty string stood, the caller's text may have NaN or Infinity.
-  const bool bare =
-      value.empty() && text_[static_cast<std::size_t>(reached_ - json_.data() - 2)] != '"';
+  const bool bare = value.empty() && text_.is_bare_literal();
   if (bare && expected(role, Kind::number) == nullptr && role != Role::ignored) {
     ++frames_.back().count;
     fail(ErrorCode::non_finite, path() + " is NaN or infinite; coordinates are finite numbers.");
@@ -280,7 +220,7 @@ bool Reader::string(string_t& value) {
 bool Reader::open(Kind kind) {
   const Role role = next_role();
   if (!begin_value(kind, kind == Kind::object ? "an object" : "an array")) return false;
-  if (frames_.size() >= max_depth) {
+  if (frames_.size() >= json_max_depth) {
     fail(ErrorCode::parse_error, path() + " is nested too deeply.");
     return false;
   }
@@ -352,11 +292,10 @@ bool Reader::parse_error(std::size_t, const std::string& token,
                          const nlohmann::detail::exception& problem) {
   if (failed_) return false;
   if (!frames_.empty() && frames_.back().is_array) ++frames_.back().count;
-  constexpr int number_overflow = 406;  // nlohmann's identifier of the message
-  if (problem.id == number_overflow) {
+  if (problem.id == json_number_overflow) {
     fail(ErrorCode::non_finite,
          path() + " is too large for a double: " + token.substr(0, 40) + ".");
-  } else if (reached_ == json_.data() + json_.size() && !frames_.empty()) {
+  } else if (text_.at_end() && !frames_.empty()) {
     fail(ErrorCode::parse_error, "This is not valid JSON: the text ends within " + path() + ".");
   } else {
     fail(ErrorCode::parse_error, "This is not valid JSON: unexpected text at " + path() + ".");
@@ -380,11 +319,7 @@ std::string Reader::path() const {
 }
 
 Error Reader::fail_value(ErrorCode code, std::string message) {
-  const std::ptrdiff_t byte = std::max<std::ptrdiff_t>(reached_ - json_.data() - 1, 0);
-  error_ = {code, std::move(message), {}};
-  error_.where.byte = byte;
-  error_.where.line = 1 + std::count(text_.data(), text_.data() + byte, '\n');
-  error_.message += " (line " + std::to_string(error_.where.line) + ")";
+  error_ = text_.error(code, std::move(message));
   failed_ = true;
   return error_;
 }
@@ -392,10 +327,10 @@ Error Reader::fail_value(ErrorCode code, std::string message) {
 }  // namespace
 
 Result<DomainInput> parse_domain_json(std::string_view text) {
-  if (text.size() > max_text)
+  if (text.size() > json_max_text)
     return Error{ErrorCode::too_large, "The JSON text is larger than 1 GiB.", {}};
-  const std::string json = without_bare_literals(text);
-  Reader reader(text, json);
+  JsonText json(text);
+  Reader reader(json);
   const bool complete = reader.run();
   if (!complete && !reader.failed()) reader.fail(ErrorCode::parse_error, "This is not valid JSON.");
   return reader.take();

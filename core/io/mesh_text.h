@@ -21,6 +21,9 @@ class LineReader {
   /// The next line; empty at the end of the text.
   std::string_view next();
   std::size_t bytes_left() const { return text_.size() - next_; }
+  /// Of the line read last: its number from 1, and its first byte.
+  std::int64_t line() const { return line_; }
+  std::int64_t byte() const { return static_cast<std::int64_t>(start_); }
   /// A parse_error at the line read last.
   Error error(std::string message) const;
 

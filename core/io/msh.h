@@ -27,4 +27,7 @@ std::string write_msh(const OutputMesh& mesh, MshVersion version = MshVersion::v
 /// whatever counts it claims. Errors: parse_error with line and byte.
 Result<OutputMesh> read_msh(std::string_view text);
 
+/// The same without its last two steps: a file of lines alone is good, and every node is kept.
+Result<OutputMesh> read_msh_elements(std::string_view text);
+
 }  // namespace lpq

@@ -53,16 +53,16 @@ int corners_of(std::int64_t type) {
 
 class MshReader {
  public:
-  explicit MshReader(std::string_view text) : lines_(text) {}
+  MshReader(std::string_view text, bool needs_faces) : lines_(text), needs_faces_(needs_faces) {}
 
   Result<OutputMesh> read() {
     while (!lines_.at_end() && !failed_) {
       words_.split(lines_.next());
       if (words_.size() > 0) read_section(words_[0]);
     }
+    if (!failed_ && version_ == 0) fail("'$MeshFormat' was expected.");
     if (!failed_) build();
     if (failed_) return error_;
-    drop_unused_points(mesh_);
     return std::move(mesh_);
   }
 
@@ -332,10 +332,11 @@ class MshReader {
       }
       if (failed_) return;
     }
-    if (mesh_.faces.empty()) fail("The file has no triangle and no quad.");
+    if (mesh_.faces.empty() && needs_faces_) fail("The file has no triangle and no quad.");
   }
 
   LineReader lines_;
+  bool needs_faces_;
   Words words_;
   std::vector<std::int64_t> integers_;
   int version_ = 0;  // 2 or 4
@@ -350,6 +351,14 @@ class MshReader {
 
 }  // namespace
 
-Result<OutputMesh> read_msh(std::string_view text) { return MshReader(text).read(); }
+Result<OutputMesh> read_msh(std::string_view text) {
+  auto mesh = MshReader(text, true).read();
+  if (mesh) drop_unused_points(*mesh);
+  return mesh;
+}
+
+Result<OutputMesh> read_msh_elements(std::string_view text) {
+  return MshReader(text, false).read();
+}
 
 }  // namespace lpq

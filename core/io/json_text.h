@@ -1,0 +1,66 @@
+// JSON text for readers that are pushed (SAX over nlohmann-json): how far the reading has come, and
+// the bare NaN and Infinity that some programs write. For .cpp files only.
+#pragma once
+
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace lpq {
+
+inline constexpr std::size_t json_max_text = std::size_t{1} << 30;  // bytes
+inline constexpr std::size_t json_max_depth = 64;  // a domain needs 7, GeoJSON 10
+inline constexpr int json_number_overflow = 406;   // nlohmann's identifier of the message
+
+class JsonText {
+ public:
+  using Sax = nlohmann::json_sax<nlohmann::json>;
+
+  /// The text must stay where it is.
+  explicit JsonText(std::string_view text);
+  JsonText(const JsonText&) = delete;
+  JsonText& operator=(const JsonText&) = delete;
+
+  bool parse(Sax& sax);
+  /// The reading has come to the last byte.
+  bool at_end() const { return reached_ == json_.data() + json_.size(); }
+  /// The empty string read last stands for NaN or Infinity.
+  bool is_bare_literal() const;
+  /// An error at the byte read last; its line is also said in the message.
+  Error error(ErrorCode code, std::string message) const;
+
+ private:
+  /// An input iterator that shows how far the lexer has read.
+  struct Cursor {
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    const char* at;
+    const char** reached;
+
+    reference operator*() const { return *at; }
+    Cursor& operator++() {
+      *reached = ++at;
+      return *this;
+    }
+    Cursor operator++(int) {
+      Cursor old = *this;
+      ++*this;
+      return old;
+    }
+    bool operator==(const Cursor& other) const { return at == other.at; }
+    bool operator!=(const Cursor& other) const { return at != other.at; }
+  };
+
+  std::string_view text_;
+  std::string json_;  // of the same width as the text, without NaN and Infinity
+  const char* reached_;
+};
+
+}  // namespace lpq

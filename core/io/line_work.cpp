@@ -1,0 +1,150 @@
+// See line_work.h.
+#include "io/line_work.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "domain/box_tree.h"
+
+namespace lpq {
+namespace {
+
+/// Every point's number among the distinct ones, which keep the order of their first appearance.
+void merge_equal_points(LineWork& lines) {
+  const std::size_t n = lines.points.size();
+  std::vector<Index> order(n), number(n, none);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index i, Index j) { return lines.points[i] < lines.points[j]; });
+  for (std::size_t k = 1; k < n; ++k) {
+    const Index before = order[k - 1], i = order[k];
+    if (lines.points[before] == lines.points[i])
+      number[i] = number[before] == none ? before : number[before];
+  }
+  Index count = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool first = number[i] == none;  // a first appearance has the least index of its place
+    if (first) lines.points[count] = lines.points[i];
+    number[i] = first ? count++ : number[number[i]];
+  }
+  lines.points.resize(static_cast<std::size_t>(count));
+  for (LineWork::Edge& edge : lines.edges) {
+    edge.a = number[edge.a];
+    edge.b = number[edge.b];
+  }
+}
+
+void drop_doubled_edges(LineWork& lines, Joined& joined) {
+  std::vector<Index> order(lines.edges.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](Index e) {
+    const LineWork::Edge& edge = lines.edges[e];
+    return std::minmax(edge.a, edge.b);
+  };
+  std::stable_sort(order.begin(), order.end(), [&](Index e, Index f) {
+    const auto [a, b] = key(e);
+    const auto [c, d] = key(f);
+    return a != c ? a < c : b < d;
+  });
+  std::vector<char> dropped(lines.edges.size(), 0);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const LineWork::Edge& edge = lines.edges[order[k]];
+    dropped[order[k]] = edge.a == edge.b;
+    if (k == 0 || edge.a == edge.b) continue;
+    const LineWork::Edge& before = lines.edges[order[k - 1]];
+    if (std::minmax(edge.a, edge.b) != std::minmax(before.a, before.b)) continue;
+    dropped[order[k]] = 1;
+    if (joined.doubled++ == 0) joined.doubled_at = lines.points[edge.a];
+  }
+  std::size_t kept = 0;
+  for (std::size_t e = 0; e < lines.edges.size(); ++e)
+    if (!dropped[e]) lines.edges[kept++] = lines.edges[e];
+  lines.edges.resize(kept);
+}
+
+/// The other end of a loose end's only edge; none where a point is not a loose end.
+std::vector<Index> loose_ends(const LineWork& lines) {
+  std::vector<Index> degree(lines.points.size(), 0), other(lines.points.size(), none);
+  for (const LineWork::Edge& edge : lines.edges) {
+    if (edge.a == edge.b) continue;
+    ++degree[edge.a];
+    ++degree[edge.b];
+    other[edge.a] = edge.b;
+    other[edge.b] = edge.a;
+  }
+  for (std::size_t i = 0; i < other.size(); ++i)
+    if (degree[i] != 1) other[i] = none;
+  return other;
+}
+
+/// The point nearest to point `i` within the tolerance, neither itself nor `other`, or none.
+Index nearest_point(const LineWork& lines, const BoxTree& tree, Index i, Index other,
+                    double tolerance) {
+  const Vec2 p = lines.points[i];
+  double best = tolerance * tolerance;
+  Index nearest = none;
+  tree.walk(
+      [&](Index, const Box& box) { return squared_distance(box, Box{p, p}) <= best; },
+      [&](Index j) {
+        if (j == i || j == other) return;
+        const double d = squared_length(lines.points[j] - p);
+        if (d > best || (d == best && nearest != none && j > nearest)) return;
+        best = d;
+        nearest = j;
+      });
+  return nearest;
+}
+
+void close_gaps(LineWork& lines, double tolerance, Joined& joined) {
+  const std::vector<Index> other = loose_ends(lines);
+  const auto is_loose = [](Index end) { return end != none; };
+  if (std::none_of(other.begin(), other.end(), is_loose)) return;
+  std::vector<Box> boxes;
+  for (const Vec2 p : lines.points) boxes.push_back({p, p});
+  const BoxTree tree(boxes);
+  std::vector<Index> root(lines.points.size());
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](Index i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  for (Index i = 0; i < static_cast<Index>(other.size()); ++i) {
+    if (other[i] == none) continue;
+    const Index j = nearest_point(lines, tree, i, other[i], tolerance);
+    if (j == none) continue;
+    // A loose end moves, any other point stays where it is; of two loose ends the first one stays.
+    const Index u = find(i), v = find(j);
+    const bool u_stays = other[u] == none, v_stays = other[v] == none;
+    if (u == v || (u_stays && v_stays)) continue;
+    const bool move_u = v_stays || (!u_stays && v < u);
+    root[move_u ? u : v] = move_u ? v : u;
+    const double gap = distance(lines.points[i], lines.points[j]);
+    if (joined.gaps++ > 0 && gap <= joined.largest_gap) continue;
+    joined.largest_gap = gap;
+    joined.gap_at = lines.points[i];
+  }
+  for (LineWork::Edge& edge : lines.edges) {
+    edge.a = find(edge.a);
+    edge.b = find(edge.b);
+  }
+}
+
+}  // namespace
+
+void LineWork::add(std::span<const Vec2> polyline, bool closed, Index source) {
+  const auto first = static_cast<Index>(points.size());
+  points.insert(points.end(), polyline.begin(), polyline.end());
+  const auto end = static_cast<Index>(points.size());
+  for (Index i = first; i + 1 < end; ++i) edges.push_back({i, i + 1, source});
+  if (closed && end - first > 2) edges.push_back({end - 1, first, source});
+}
+
+Joined join_ends(LineWork& lines, double tolerance) {
+  Joined joined;
+  merge_equal_points(lines);
+  if (tolerance > 0) close_gaps(lines, tolerance, joined);
+  drop_doubled_edges(lines, joined);
+  return joined;
+}
+
+}  // namespace lpq

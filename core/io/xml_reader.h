@@ -1,0 +1,60 @@
+// The tags of an XML 1.0 text, one after another (W3C, Extensible Markup Language, 5th edition).
+// Comments, CDATA, processing instructions and the document type are passed over; entities that a
+// document type defines are not expanded, so that no text can grow.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace lpq {
+
+struct XmlAttribute {
+  std::string_view name, raw;  // raw: as written between the quotes
+  std::size_t byte = 0;        // of raw in the text
+};
+
+class XmlReader {
+ public:
+  /// The text must stay where it is.
+  explicit XmlReader(std::string_view text);
+
+  enum class Event { open, close, end, error };
+  /// An element without content gives `open` and then `close`. After `end` or `error` no more.
+  Event next();
+
+  /// Of the tag read last; without the prefix "svg:".
+  std::string_view name() const { return name_; }
+  std::size_t byte() const { return tag_; }  // of its '<'
+  /// The attribute of that full name, or null.
+  const XmlAttribute* find(std::string_view name) const;
+  const Error& error() const { return error_; }
+
+ private:
+  Event fail(std::size_t byte, std::string message);
+  bool skip_markup();
+  bool skip_past(std::string_view end, std::string_view what);
+  bool skip_document_type();
+  Event read_close();
+  Event read_open();
+  bool read_attributes();
+  void skip_blanks();
+  std::string_view read_name();
+
+  std::string_view text_;
+  std::size_t at_ = 0, tag_ = 0;
+  std::string_view name_;
+  std::vector<XmlAttribute> attributes_;
+  std::vector<std::string_view> open_;  // names of the elements around, as written
+  bool closes_itself_ = false, seen_root_ = false;
+  Error error_;
+};
+
+/// The value of an attribute: &amp; &lt; &gt; &quot; &apos; and character numbers replaced, white
+/// space as blanks. Other entities stay as they are written.
+std::string xml_value(std::string_view raw);
+
+}  // namespace lpq
