@@ -23,8 +23,8 @@ std::size_t span_of(const BSpline& spline, double u) {
   const auto degree = static_cast<std::size_t>(spline.degree);
   const auto first = spline.knots.begin() + spline.degree;
   const auto last = spline.knots.begin() + static_cast<std::ptrdiff_t>(spline.control.size());
-  const auto above = u < *last ? std::upper_bound(first, last + 1, u)
-                               : std::lower_bound(first, last + 1, *last);
+  const auto above =
+      u < *last ? std::upper_bound(first, last + 1, u) : std::lower_bound(first, last + 1, *last);
   return std::max(degree, static_cast<std::size_t>(above - spline.knots.begin()) - 1);
 }
 
@@ -125,8 +125,8 @@ std::vector<Vec2> natural_spline_tangents(const std::vector<Vec2>& points,
     const bool last = i + 1 == n;
     const double before = last ? 1 : 1 / lengths[i - 1], after = last ? 0 : 1 / lengths[i];
     const double diagonal = last ? 2 : 2 * (before + after);
-    const Vec2 right = last ? 3 * slope(i - 1)
-                            : (3 * before) * slope(i - 1) + (3 * after) * slope(i);
+    const Vec2 right =
+        last ? 3 * slope(i - 1) : (3 * before) * slope(i - 1) + (3 * after) * slope(i);
     const double pivot = diagonal - before * factor[i - 1];
     factor[i] = after / pivot;
     tangent[i] = (1 / pivot) * (right - before * tangent[i - 1]);

@@ -10,7 +10,7 @@ namespace lpq {
 
 struct BSpline {
   int degree = 3;
-  std::vector<double> knots;    // #control + degree + 1, not decreasing
+  std::vector<double> knots;  // #control + degree + 1, not decreasing
   std::vector<Vec2> control;
   std::vector<double> weights;  // #control, positive; empty: all 1
 };

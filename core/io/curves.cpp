@@ -13,7 +13,7 @@ namespace lpq {
 namespace {
 
 constexpr int deepest_halving = 10;
-constexpr double widest_step = pi / 4;  // of an arc, so that a small circle keeps its shape
+constexpr double widest_step = pi / 8;  // of an arc: 3 % of the area of a circle at most
 constexpr double finest_arc = 4096;     // pieces
 
 /// Distance of p from the segment a b, squared.
@@ -129,12 +129,8 @@ void CurvePath::flatten(double tolerance, std::vector<Vec2>& polyline) const {
     const Vec2* p = points_.data() + at;
     switch (kind) {
       case Kind::line: polyline.push_back(p[0]); break;
-      case Kind::cubic:
-        flatten_cubic(p[-1], p[0], p[1], p[2], limit * limit, 0, polyline);
-        break;
-      case Kind::arc:
-        flatten_arc(p[-1], p[0], p[1], p[2].x, p[3], tolerance, polyline);
-        break;
+      case Kind::cubic: flatten_cubic(p[-1], p[0], p[1], p[2], limit * limit, 0, polyline); break;
+      case Kind::arc: flatten_arc(p[-1], p[0], p[1], p[2].x, p[3], tolerance, polyline); break;
     }
     at += point_count(kind);
   }

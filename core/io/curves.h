@@ -49,7 +49,8 @@ class CurvePath {
   static std::size_t point_count(Kind kind);
 
   std::vector<Kind> kinds_;
-  std::vector<Vec2> points_;  // start; then per piece: end | two controls, end | centre, axis, (sweep, 0), end
+  std::vector<Vec2>
+      points_;  // start; then per piece: end | two controls, end | centre, axis, (sweep, 0), end
 };
 
 /// A box that contains nothing.

@@ -19,15 +19,15 @@ struct Named {
   std::string_view name;
   DomainFormat format;
 };
-constexpr Named formats[] = {{"json", DomainFormat::json},       {"geojson", DomainFormat::geojson},
-                             {"svg", DomainFormat::svg},         {"poly", DomainFormat::poly},
-                             {"msh", DomainFormat::msh},         {"dxf", DomainFormat::dxf}};
+constexpr Named formats[] = {{"json", DomainFormat::json}, {"geojson", DomainFormat::geojson},
+                             {"svg", DomainFormat::svg},   {"poly", DomainFormat::poly},
+                             {"msh", DomainFormat::msh},   {"dxf", DomainFormat::dxf}};
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c; }
 
 bool same_letters(std::string_view a, std::string_view b) {
-  return a.size() == b.size() &&
-         std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return lower(x) == lower(y); });
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(),
+                                            [](char x, char y) { return lower(x) == lower(y); });
 }
 
 std::string_view ending_of(std::string_view file_name) {
@@ -44,8 +44,8 @@ std::optional<DomainFormat> format_by_lines(std::string_view text) {
     if (words.size() == 0) continue;
     std::int64_t value = 0;
     if (!parse_integer(words[0], value)) return std::nullopt;
-    if (words.size() > 1) return parse_integer(words[1], value) ? std::optional(DomainFormat::poly)
-                                                                : std::nullopt;
+    if (words.size() > 1)
+      return parse_integer(words[1], value) ? std::optional(DomainFormat::poly) : std::nullopt;
     constexpr std::int64_t comment = 999;
     if (value == comment) return DomainFormat::dxf;
     words.split(lines.next());
@@ -108,10 +108,10 @@ Result<DomainFile> read_domain_file(std::string_view file_name, std::string_view
     if (!format || found == DomainFormat::geojson) format = found;
   }
   if (format) return read_domain(text, *format);
-  return Error{ErrorCode::parse_error,
-               "The format of the domain is not known. Name the file " +
-                   std::string(domain_endings) + ".",
-               {}};
+  return Error{
+      ErrorCode::parse_error,
+      "The format of the domain is not known. Name the file " + std::string(domain_endings) + ".",
+      {}};
 }
 
 }  // namespace lpq

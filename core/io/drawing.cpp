@@ -95,7 +95,8 @@ double drawing_size(const LineWork& lines) {
 
 Result<int> join_drawing(Drawing& drawing, double tolerance, std::vector<Warning>& warnings) {
   for (const LineWork::Edge& edge : drawing.lines.edges) {
-    if (is_finite(drawing.lines.points[edge.a]) && is_finite(drawing.lines.points[edge.b])) continue;
+    if (is_finite(drawing.lines.points[edge.a]) && is_finite(drawing.lines.points[edge.b]))
+      continue;
     const Drawing::Source& source = drawing.sources[edge.source];
     Error error{ErrorCode::non_finite, "A coordinate is too large for a double.", {}};
     error.where.line = source.line;
@@ -103,13 +104,12 @@ Result<int> join_drawing(Drawing& drawing, double tolerance, std::vector<Warning
     return error;
   }
   const double size = drawing_size(drawing.lines);
-  const Joined joined = join_ends(drawing.lines, tolerance);
-  if (joined.largest_gap > rounding * size)
-    warn(warnings, ErrorCode::parse_error,
-         "Gaps between ends were closed: " + std::to_string(joined.gaps) + ", the largest " +
-             number_text(joined.largest_gap) + " wide (up to " + number_text(tolerance) +
-             " counts as one point).",
-         joined.gap_at);
+  const Joined joined = join_points(drawing.lines, tolerance);
+  if (joined.farthest > rounding * size)
+    warn(warnings, ErrorCode::duplicate_point,
+         "Points within " + number_text(tolerance) + " of each other were made one: " +
+             std::to_string(joined.moved) + ", at most " + number_text(joined.farthest) + " apart.",
+         joined.moved_at);
   if (joined.doubled > 0)
     warn(warnings, ErrorCode::overlapping_edges,
          "Edges drawn more than once were taken once: " + std::to_string(joined.doubled) + ".",
@@ -140,7 +140,8 @@ Index add_regions(const Drawing& drawing, const NestedFaces& nested,
                   const std::vector<char>& filled, const std::function<std::string(Index)>& name,
                   DomainInput& input) {
   const PlanarFaces& planar = nested.planar;
-  std::vector<Index> region_of(planar.faces.size(), none), parent(drawing.lines.points.size(), none);
+  std::vector<Index> region_of(planar.faces.size(), none),
+      parent(drawing.lines.points.size(), none);
   for (std::size_t f = 0; f < planar.faces.size(); ++f) {
     parent[planar.faces[f].component] = nested.tree.parent[f];
     if (!filled[f]) continue;
@@ -192,7 +193,8 @@ Error open_chain_error(const Drawing& drawing, const NestedFaces& nested, double
   std::string message = "The outline is open at (" + number_text(at.x) + ", " + number_text(at.y) +
                         "): nothing else ends within " + number_text(tolerance) + " of it";
   const double nearest = nearest_end(drawing, degree, p, own);
-  if (nearest < HUGE_VAL) message += "; the nearest other open end is " + number_text(nearest) + " away";
+  if (nearest < HUGE_VAL)
+    message += "; the nearest other open end is " + number_text(nearest) + " away";
   const LineWork::Edge& edge =
       drawing.lines.edges[at_end ? open->edges.back() : open->edges.front()];
   Error error{ErrorCode::parse_error, message + ". Close it in the drawing.", {}};

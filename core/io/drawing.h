@@ -29,14 +29,14 @@ struct Drawing {
 /// Names longer than this are cut, between characters: every edge of a long curve carries one.
 inline constexpr std::size_t longest_name = 127;
 
-/// Loose ends this near, relative to the larger side of the drawing's box, are one point. Numbers
-/// in drawings have six digits or so, and each program rounds in its own way.
+/// Points of open pieces this near, relative to the larger side of the drawing's box, are one
+/// point. Numbers in drawings have six digits or so, and each program rounds in its own way.
 inline constexpr double join_tolerance = 1e-5;
 
 /// The larger side of the box around the points; 0 without points.
 double drawing_size(const LineWork& lines);
 
-/// Joins the ends, with warnings about gaps larger than rounding (1e-9 of the size) and about
+/// Joins the points, with warnings about gaps larger than rounding (1e-9 of the size) and about
 /// edges drawn twice. Errors: non_finite.
 Result<int> join_drawing(Drawing& drawing, double tolerance, std::vector<Warning>& warnings);
 

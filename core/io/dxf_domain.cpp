@@ -1,6 +1,9 @@
 // See dxf_domain.h.
 #include "io/dxf_domain.h"
 
+#include <algorithm>
+#include <functional>
+
 #include "io/drawing.h"
 #include "io/dxf_entity.h"
 
@@ -15,6 +18,7 @@ class DxfReader {
     if (!find_entities()) return error_;
     while (!failed_ && group_.value != "ENDSEC" && group_.value != "EOF") read_entity();
     if (failed_) return error_;
+    leave_out_paper();
     flatten();
     return finish();
   }
@@ -23,6 +27,7 @@ class DxfReader {
   struct Piece {
     DxfCurve curve;
     Index source;
+    bool on_paper;
   };
 
   bool fail(std::string message) {
@@ -66,34 +71,47 @@ class DxfReader {
   void read_entity() {
     paper_space_ = false;
     const DxfEntity entity = take_entity();
-    const bool skipped = paper_space_ || !is_dxf_curve(entity.type);
+    const bool on_paper = paper_space_;
     std::vector<DxfEntity> vertices;
-    while (!failed_ && (group_.value == "VERTEX" || group_.value == "ATTRIB" || group_.value == "SEQEND")) {
+    while (!failed_ &&
+           (group_.value == "VERTEX" || group_.value == "ATTRIB" || group_.value == "SEQEND")) {
       DxfEntity vertex = take_entity();
       if (entity.type == "POLYLINE" && vertex.type == "VERTEX")
         vertices.push_back(std::move(vertex));
     }
     if (failed_) return;
-    if (skipped) {
-      left_out_.add(paper_space_ ? "in paper space" : entity.type);
-      return;
-    }
+    if (!is_dxf_curve(entity.type)) return left_out_.add(entity.type);
     auto curve = make_dxf_curve(entity, vertices);
     if (!curve) {
       failed_ = true;
       error_ = curve.error();
     } else if (*curve) {
-      add(std::move(**curve), entity);
+      add(std::move(**curve), entity, on_paper);
     } else {
       left_out_.add(entity.type);
     }
   }
 
-  void add(DxfCurve curve, const DxfEntity& entity) {
+  void add(DxfCurve curve, const DxfEntity& entity, bool on_paper) {
     heights_ += curve.has_height ? 1 : 0;
     interpolated_ += curve.interpolated ? 1 : 0;
     const std::string_view layer = entity.layer == "0" ? std::string_view() : entity.layer;
-    pieces_.push_back({std::move(curve), drawing_.add_source(layer, entity.line, entity.byte)});
+    pieces_.push_back(
+        {std::move(curve), drawing_.add_source(layer, entity.line, entity.byte), on_paper});
+  }
+
+  /// Paper space shows the model again, in views and frames - unless it holds all there is.
+  void leave_out_paper() {
+    const auto is_on_paper = [](const Piece& piece) { return piece.on_paper; };
+    const auto model =
+        std::stable_partition(pieces_.begin(), pieces_.end(), std::not_fn(is_on_paper));
+    const auto on_paper = pieces_.end() - model;
+    if (on_paper == 0) return;
+    const bool all = model == pieces_.begin();
+    warn(true, (all ? "All curves are in paper space, and were taken from there: "
+                    : "Curves in paper space were left out: ") +
+                   std::to_string(on_paper) + ".");
+    if (!all) pieces_.erase(model, pieces_.end());
   }
 
   void flatten() {
@@ -125,8 +143,8 @@ class DxfReader {
 
   Result<DomainFile> finish() {
     warn(left_out_.any(), "Left out: " + left_out_.text() + ".");
-    warn(heights_ > 0, "Entities with z other than 0, which was ignored: " +
-                           std::to_string(heights_) + ".");
+    warn(heights_ > 0,
+         "Entities with z other than 0, which was ignored: " + std::to_string(heights_) + ".");
     warn(interpolated_ > 0, "Splines given by fit points alone, drawn as natural cubic splines: " +
                                 std::to_string(interpolated_) + ".");
     const double tolerance = join_tolerance * drawing_size(drawing_.lines);

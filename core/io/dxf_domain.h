@@ -1,12 +1,12 @@
 // Domains from DXF, ASCII, any release (Autodesk, DXF Reference).
 // Outlines are the LINE, ARC, CIRCLE, ELLIPSE, SPLINE, LWPOLYLINE and POLYLINE entities of model
-// space, joined where they meet: at equal points, or where a loose end is nearer than 1e-5 of the
-// drawing's size to another point (a warning says so beyond rounding). Everything must close. The
-// even-odd rule says what is material, as in svg_domain.h; lines that divide an outline make
-// neighbouring regions. A layer other than "0" becomes the tag of its edges, and the name of a
-// region whose outline it holds alone.
-// Coordinates are taken as they are: $INSUNITS is ignored, and z. Other entities (INSERT, TEXT,
-// DIMENSION, HATCH ...) are counted in a warning; blocks are not inserted.
+// space (of paper space if model space has none), joined where they meet: points of open pieces
+// that are nearer than 1e-5 of the drawing's size to another one become one (a warning says so
+// beyond rounding). Everything must close. The even-odd rule says what is material, as in
+// svg_domain.h; lines that divide an outline make neighbouring regions. A layer other than "0"
+// becomes the tag of its edges, and the name of a region whose outline it holds alone. Coordinates
+// are taken as they are: $INSUNITS is ignored, and z. Other entities (INSERT, TEXT, DIMENSION,
+// HATCH ...) are counted in a warning; blocks are not inserted.
 #pragma once
 
 #include <string_view>

@@ -44,7 +44,7 @@ class EntityReader {
   double number(const DxfGroup& group) {
     double value = 0;
     if (!parse_number(group.value, value))
-      fail("'" + std::string(group.value.substr(0, 40)) + "' is not a number.", group.line,
+      fail(std::string(group.value.substr(0, 40)).append(" is not a number."), group.line,
            group.byte);
     return value;
   }
@@ -88,7 +88,8 @@ class EntityReader {
 /// Entities in their own plane: only the drawing's plane itself, seen from above or from below,
 /// where x points the other way (DXF Reference, "Arbitrary Axis Algorithm").
 bool EntityReader::is_mirrored() {
-  const double x = optional_number(210, 0), y = optional_number(220, 0), z = optional_number(230, 1);
+  const double x = optional_number(210, 0), y = optional_number(220, 0),
+               z = optional_number(230, 1);
   constexpr double negligible = 1e-9;
   if (!(std::abs(x) <= negligible * std::abs(z) && std::abs(y) <= negligible * std::abs(z)))
     fail("does not lie in the xy plane");
@@ -197,8 +198,7 @@ bool EntityReader::read_corners(const std::vector<Corner>& corners) {
       curve_.path.line_to(q);
       continue;
     }
-    const Vec2 centre =
-        midpoint(p, q) + ((1 - bulge * bulge) / (4 * bulge)) * perpendicular(q - p);
+    const Vec2 centre = midpoint(p, q) + ((1 - bulge * bulge) / (4 * bulge)) * perpendicular(q - p);
     curve_.path.arc_to(centre, perpendicular(p - centre), 4 * arc_tangent(bulge, 1), q);
   }
   return curve_.path.has_edges();

@@ -11,7 +11,7 @@ namespace lpq {
 namespace {
 
 constexpr std::string_view kinds[] = {
-    "Point",      "MultiPoint",         "LineString", "MultiLineString",  "Polygon",
+    "Point",        "MultiPoint",         "LineString", "MultiLineString",  "Polygon",
     "MultiPolygon", "GeometryCollection", "Feature",    "FeatureCollection"};
 constexpr std::size_t geometry_kinds = 6;
 // How deep the brackets of each kind go around a position.
@@ -234,7 +234,7 @@ bool Reader::end_of_object(Object object) {
       std::find(std::begin(kinds), std::end(kinds), object.type) - std::begin(kinds));
   if (object.type.empty()) return fail("A GeoJSON object has no \"type\".");
   if (kind == std::size(kinds))
-    return fail("\"" + object.type.substr(0, 40) + "\" is not a type of GeoJSON.");
+    return fail(object.type.substr(0, 40).append(" is not a type of GeoJSON."));
   if (kind < geometry_kinds && !add_geometry(kind, object)) return false;
   if (object.type == "Feature") name_parts(object);
   return true;
@@ -254,9 +254,8 @@ bool Reader::add_geometry(std::size_t kind, Object& object) {
     std::size_t begin = 0;
     for (const std::size_t end : c.line_ends) {
       const auto at = c.points.begin();
-      file_.domain.polylines.push_back({{at + static_cast<std::ptrdiff_t>(begin),
-                                         at + static_cast<std::ptrdiff_t>(end)},
-                                        {}});
+      file_.domain.polylines.push_back(
+          {{at + static_cast<std::ptrdiff_t>(begin), at + static_cast<std::ptrdiff_t>(end)}, {}});
       begin = end;
     }
   } else {

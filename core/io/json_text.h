@@ -12,8 +12,8 @@
 namespace lpq {
 
 inline constexpr std::size_t json_max_text = std::size_t{1} << 30;  // bytes
-inline constexpr std::size_t json_max_depth = 64;  // a domain needs 7, GeoJSON 10
-inline constexpr int json_number_overflow = 406;   // nlohmann's identifier of the message
+inline constexpr std::size_t json_max_depth = 64;                   // a domain needs 7, GeoJSON 10
+inline constexpr int json_number_overflow = 406;  // nlohmann's identifier of the message
 
 class JsonText {
  public:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/csr.h"
 #include "domain/box_tree.h"
 
 namespace lpq {
@@ -22,12 +23,16 @@ void merge_equal_points(LineWork& lines) {
       number[i] = number[before] == none ? before : number[before];
   }
   Index count = 0;
+  lines.loose.resize(n, 0);
   for (std::size_t i = 0; i < n; ++i) {
     const bool first = number[i] == none;  // a first appearance has the least index of its place
-    if (first) lines.points[count] = lines.points[i];
+    const bool loose = lines.loose[i] != 0;
     number[i] = first ? count++ : number[number[i]];
+    lines.points[number[i]] = lines.points[i];
+    lines.loose[number[i]] = loose && (first || lines.loose[number[i]]);
   }
   lines.points.resize(static_cast<std::size_t>(count));
+  lines.loose.resize(static_cast<std::size_t>(count));
   for (LineWork::Edge& edge : lines.edges) {
     edge.a = number[edge.a];
     edge.b = number[edge.b];
@@ -62,43 +67,45 @@ void drop_doubled_edges(LineWork& lines, Joined& joined) {
   lines.edges.resize(kept);
 }
 
-/// The other end of a loose end's only edge; none where a point is not a loose end.
-std::vector<Index> loose_ends(const LineWork& lines) {
-  std::vector<Index> degree(lines.points.size(), 0), other(lines.points.size(), none);
+/// The points that edges join each point to.
+Csr<Index> neighbours_of(const LineWork& lines) {
+  Csr<Index> result;
+  result.offsets.assign(lines.points.size() + 1, 0);
+  for (const LineWork::Edge& edge : lines.edges)
+    for (const Index p : {edge.a, edge.b}) ++result.offsets[p + 1];
+  std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
+  std::vector<Index> next(result.offsets.begin(), result.offsets.end() - 1);
+  result.values.resize(2 * lines.edges.size());
   for (const LineWork::Edge& edge : lines.edges) {
-    if (edge.a == edge.b) continue;
-    ++degree[edge.a];
-    ++degree[edge.b];
-    other[edge.a] = edge.b;
-    other[edge.b] = edge.a;
+    result.values[next[edge.a]++] = edge.b;
+    result.values[next[edge.b]++] = edge.a;
   }
-  for (std::size_t i = 0; i < other.size(); ++i)
-    if (degree[i] != 1) other[i] = none;
-  return other;
+  return result;
 }
 
-/// The point nearest to point `i` within the tolerance, neither itself nor `other`, or none.
-Index nearest_point(const LineWork& lines, const BoxTree& tree, Index i, Index other,
-                    double tolerance) {
+/// The nearest point to point i within the tolerance that is not one of its neighbours, or none.
+Index nearest_point(const LineWork& lines, const BoxTree& tree, Index i,
+                    std::span<const Index> neighbours, double tolerance) {
   const Vec2 p = lines.points[i];
   double best = tolerance * tolerance;
   Index nearest = none;
   tree.walk(
-      [&](Index, const Box& box) { return squared_distance(box, Box{p, p}) <= best; },
+      [&](Index, const Box& box) {
+        return squared_distance(box, Box{p, p}) <= best;
+      },
       [&](Index j) {
-        if (j == i || j == other) return;
         const double d = squared_length(lines.points[j] - p);
-        if (d > best || (d == best && nearest != none && j > nearest)) return;
+        if (j == i || d > best || (d == best && nearest != none && j > nearest)) return;
+        if (std::find(neighbours.begin(), neighbours.end(), j) != neighbours.end()) return;
         best = d;
         nearest = j;
       });
   return nearest;
 }
 
-void close_gaps(LineWork& lines, double tolerance, Joined& joined) {
-  const std::vector<Index> other = loose_ends(lines);
-  const auto is_loose = [](Index end) { return end != none; };
-  if (std::none_of(other.begin(), other.end(), is_loose)) return;
+void move_loose_points(LineWork& lines, double tolerance, Joined& joined) {
+  if (std::find(lines.loose.begin(), lines.loose.end(), 1) == lines.loose.end()) return;
+  const Csr<Index> neighbours = neighbours_of(lines);
   std::vector<Box> boxes;
   for (const Vec2 p : lines.points) boxes.push_back({p, p});
   const BoxTree tree(boxes);
@@ -108,20 +115,19 @@ void close_gaps(LineWork& lines, double tolerance, Joined& joined) {
     while (root[i] != i) i = root[i] = root[root[i]];
     return i;
   };
-  for (Index i = 0; i < static_cast<Index>(other.size()); ++i) {
-    if (other[i] == none) continue;
-    const Index j = nearest_point(lines, tree, i, other[i], tolerance);
+  for (Index i = 0; i < static_cast<Index>(root.size()); ++i) {
+    if (!lines.loose[i]) continue;
+    const Index j = nearest_point(lines, tree, i, neighbours.row(i), tolerance);
     if (j == none) continue;
-    // A loose end moves, any other point stays where it is; of two loose ends the first one stays.
+    // Only loose points move; of two the first one stays.
     const Index u = find(i), v = find(j);
-    const bool u_stays = other[u] == none, v_stays = other[v] == none;
-    if (u == v || (u_stays && v_stays)) continue;
-    const bool move_u = v_stays || (!u_stays && v < u);
+    if (u == v || (!lines.loose[u] && !lines.loose[v])) continue;
+    const bool move_u = !lines.loose[v] || (lines.loose[u] && v < u);
     root[move_u ? u : v] = move_u ? v : u;
     const double gap = distance(lines.points[i], lines.points[j]);
-    if (joined.gaps++ > 0 && gap <= joined.largest_gap) continue;
-    joined.largest_gap = gap;
-    joined.gap_at = lines.points[i];
+    if (joined.moved++ > 0 && gap <= joined.farthest) continue;
+    joined.farthest = gap;
+    joined.moved_at = lines.points[i];
   }
   for (LineWork::Edge& edge : lines.edges) {
     edge.a = find(edge.a);
@@ -134,15 +140,16 @@ void close_gaps(LineWork& lines, double tolerance, Joined& joined) {
 void LineWork::add(std::span<const Vec2> polyline, bool closed, Index source) {
   const auto first = static_cast<Index>(points.size());
   points.insert(points.end(), polyline.begin(), polyline.end());
+  loose.resize(points.size(), !closed);
   const auto end = static_cast<Index>(points.size());
   for (Index i = first; i + 1 < end; ++i) edges.push_back({i, i + 1, source});
   if (closed && end - first > 2) edges.push_back({end - 1, first, source});
 }
 
-Joined join_ends(LineWork& lines, double tolerance) {
+Joined join_points(LineWork& lines, double tolerance) {
   Joined joined;
   merge_equal_points(lines);
-  if (tolerance > 0) close_gaps(lines, tolerance, joined);
+  if (tolerance > 0) move_loose_points(lines, tolerance, joined);
   drop_doubled_edges(lines, joined);
   return joined;
 }

@@ -15,25 +15,26 @@ struct LineWork {
     Index source = none;       // of the drawing: which element, segment or entity drew it
   };
   std::vector<Vec2> points;
+  std::vector<char> loose;  // #points, or empty: the point may be moved; it is of an open polyline
   std::vector<Edge> edges;
 
   /// Appends a polyline; closed: with the edge from its last point to its first.
   void add(std::span<const Vec2> polyline, bool closed, Index source);
 };
 
-/// What join_ends did. Points are in the drawing's units.
+/// What join_points did. Points are in the drawing's units.
 struct Joined {
-  Index gaps = 0;  // loose ends moved onto another point
-  double largest_gap = 0;
-  Vec2 gap_at;
+  Index moved = 0;  // points moved onto another point
+  double farthest = 0;
+  Vec2 moved_at;      // the one moved farthest, where it was
   Index doubled = 0;  // edges dropped because another one joins the same points
   Vec2 doubled_at;
 };
 
-/// Makes points at one place one point. Then every loose end - a point of one edge - is moved onto
-/// the nearest other point within `tolerance`, unless that is the other end of its own edge.
-/// Edges without length vanish; of several edges between the same points the first stays.
-/// Cost O(n log n).
-Joined join_ends(LineWork& lines, double tolerance);
+/// Makes points at one place one point. Then every loose point is moved onto the nearest other
+/// point within `tolerance` that no edge joins it to: ends meet, and curves drawn twice fall
+/// together, but short edges stay. Edges without length vanish; of several edges between the same
+/// points the first stays. Cost O(n log n).
+Joined join_points(LineWork& lines, double tolerance);
 
 }  // namespace lpq

@@ -47,11 +47,11 @@ class Sweep {
   Index loop_above(Cut::const_iterator at, const Cut& cut) const;
 
   std::vector<SweptEdge> edges_;
-  std::vector<double> area_;     // of each loop, unsigned
-  std::vector<char> settled_;    // the loop has been met
-  std::vector<Vec2> probes_;     // in the frame
+  std::vector<double> area_;   // of each loop, unsigned
+  std::vector<char> settled_;  // the loop has been met
+  std::vector<Vec2> probes_;   // in the frame
   std::vector<Cut::iterator> position_;
-  std::vector<Index> starts_;    // edges by their left ends
+  std::vector<Index> starts_;  // edges by their left ends
   LoopTree tree_;
   Cut cut_{Below{this}};
 };

@@ -17,9 +17,7 @@ struct Side {
   Vec2 a, b;
   Index region = none;
 };
-bool operator<(const Side& s, const Side& t) {
-  return s.a == t.a ? s.b < t.b : s.a < t.a;
-}
+bool operator<(const Side& s, const Side& t) { return s.a == t.a ? s.b < t.b : s.a < t.a; }
 
 class MshDomain {
  public:
@@ -31,8 +29,7 @@ class MshDomain {
     drawing_.lines.points = mesh_.points;
     if (const auto problem = collect_sides()) return *problem;
     add_edges();
-    const auto joined = join_drawing(drawing_, 0, file_.warnings);
-    if (!joined) return joined.error();
+    join_points(drawing_.lines, 0);
     return finish();
   }
 
@@ -67,8 +64,8 @@ std::optional<Error> MshDomain::collect_sides() {
   std::stable_sort(sides_.begin(), sides_.end());
   for (std::size_t i = 1; i < sides_.size(); ++i) {
     if (sides_[i - 1] < sides_[i]) continue;
-    Error error{ErrorCode::parse_error, "Two faces of the mesh lie on the same side of an edge.",
-                {}};
+    Error error{
+        ErrorCode::parse_error, "Two faces of the mesh lie on the same side of an edge.", {}};
     error.where.has_point = true;
     error.where.x = sides_[i].a.x;
     error.where.y = sides_[i].a.y;
@@ -85,7 +82,8 @@ Index MshDomain::region_left_of(Vec2 a, Vec2 b) const {
 
 /// Lines first, so that their tags stay where a side of a face is the same edge.
 void MshDomain::add_edges() {
-  for (const OutputEdge& edge : mesh_.edges) drawing_.lines.edges.push_back({edge.a, edge.b, edge.tag});
+  for (const OutputEdge& edge : mesh_.edges)
+    drawing_.lines.edges.push_back({edge.a, edge.b, edge.tag});
   for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
     const Face& face = mesh_.faces[f];
     for (int k = 0, n = corner_count(face); k < n; ++k) {
@@ -125,10 +123,10 @@ Result<DomainFile> MshDomain::finish() {
   if (file_.domain.regions.empty())
     return Error{ErrorCode::empty, "The file has no lines that enclose anything and no faces.", {}};
   if (outside > 0)
-    file_.warnings.push_back({ErrorCode::parse_error,
-                              "Lines outside all faces were left out: " + std::to_string(outside) +
-                                  ".",
-                              {}});
+    file_.warnings.push_back(
+        {ErrorCode::parse_error,
+         "Lines outside all faces were left out: " + std::to_string(outside) + ".",
+         {}});
   add_points(nested, filled);
   return std::move(file_);
 }

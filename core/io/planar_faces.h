@@ -19,8 +19,8 @@ struct PlanarFaces {
   std::vector<Walk> chains;  // of edges that have the same face on both sides
 };
 
-/// Requires points without duplicates and edges as join_ends leaves them. Edges that cross are not
-/// looked for: whatever comes out then is judged at the door. Exact; cost O(n log n).
+/// Requires points without duplicates and edges as join_points leaves them. Edges that cross are
+/// not looked for: whatever comes out then is judged at the door. Exact; cost O(n log n).
 PlanarFaces find_faces(const LineWork& lines);
 
 }  // namespace lpq

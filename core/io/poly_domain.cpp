@@ -61,13 +61,13 @@ class PolyReader {
   std::int64_t integer(std::size_t i) {
     std::int64_t value = 0;
     if (!parse_integer(words_[i], value))
-      fail("'" + std::string(words_[i].substr(0, 40)) + "' is not an integer.");
+      fail(std::string(words_[i].substr(0, 40)).append(" is not an integer."));
     return value;
   }
   double number(std::size_t i) {
     double value = 0;
     if (!parse_number(words_[i], value))
-      fail("'" + std::string(words_[i].substr(0, 40)) + "' is not a finite number.");
+      fail(std::string(words_[i].substr(0, 40)).append(" is not a finite number."));
     return value;
   }
   std::int64_t count(std::size_t i) {
@@ -100,8 +100,9 @@ void PolyReader::read_vertices() {
   if (!next_record(1, "the number of vertices")) return;
   const std::int64_t vertices = count(0);
   if (vertices == 0 && !failed_)
-    return fail("The vertices of this .poly file are in a .node file of their own; put its lines "
-                "in place of this one.");
+    return fail(
+        "The vertices of this .poly file are in a .node file of their own; put its lines "
+        "in place of this one.");
   if (words_.size() > 1 && integer(1) != 2) fail("Only files of dimension 2 can be read.");
   const std::int64_t attributes = words_.size() > 2 ? count(2) : 0;
   const bool marked = words_.size() > 3 && integer(3) != 0;
@@ -210,11 +211,11 @@ Result<DomainFile> PolyReader::finish() {
     }
   }
   if (outside > 0 || points_outside > 0)
-    file_.warnings.push_back(
-        {ErrorCode::parse_error,
-         "Outside all regions, and left out: segments " + std::to_string(outside) +
-             ", vertices " + std::to_string(points_outside) + ".",
-         {}});
+    file_.warnings.push_back({ErrorCode::parse_error,
+                              "Outside all regions, and left out: segments " +
+                                  std::to_string(outside) + ", vertices " +
+                                  std::to_string(points_outside) + ".",
+                              {}});
   return std::move(file_);
 }
 

@@ -82,9 +82,9 @@ class SvgReader {
     if (!problem) return true;
     // Where entities are replaced, characters of the value and bytes of the text part ways.
     const bool plain = attribute.raw.find('&') == std::string_view::npos;
-    fail(attribute.byte + (plain ? problem->at : 0),
-         std::string(attribute.name) + " of <" + std::string(xml_.name()) +
-             ">: " + problem->message);
+    fail(attribute.byte + (plain ? problem->at : 0), std::string(attribute.name) + " of <" +
+                                                         std::string(xml_.name()) +
+                                                         ">: " + problem->message);
     return false;
   }
 
@@ -203,8 +203,7 @@ void SvgReader::draw_rectangle(std::vector<Subpath>& subpaths) {
   length("height", h);
   const bool has_rx = length("rx", rx), has_ry = length("ry", ry);
   if (failed_) return;
-  if (w < 0 || h < 0 || rx < 0 || ry < 0)
-    return fail(xml_.byte(), "A <rect> has a negative size.");
+  if (w < 0 || h < 0 || rx < 0 || ry < 0) return fail(xml_.byte(), "A <rect> has a negative size.");
   if (w == 0 || h == 0) return;  // drawn as nothing (SVG 1.1, 9.2)
   if (!has_rx) rx = ry;
   if (!has_ry) ry = rx;
@@ -290,10 +289,10 @@ void SvgReader::flatten() {
 
 Result<DomainFile> SvgReader::finish() {
   if (closed_by_fill_ > 0)
-    file_.warnings.push_back({ErrorCode::parse_error,
-                              "Open paths were closed, as their fill is: " +
-                                  std::to_string(closed_by_fill_) + ".",
-                              {}});
+    file_.warnings.push_back(
+        {ErrorCode::parse_error,
+         "Open paths were closed, as their fill is: " + std::to_string(closed_by_fill_) + ".",
+         {}});
   if (left_out_.any())
     file_.warnings.push_back({ErrorCode::parse_error, "Left out: " + left_out_.text() + ".", {}});
   const double tolerance = join_tolerance * drawing_size(drawing_.lines);
@@ -305,13 +304,12 @@ Result<DomainFile> SvgReader::finish() {
     return Error{ErrorCode::empty, "The drawing has no closed outline.", {}};
   }
   const auto name = [&](Index f) { return common_name(drawing_, nested.planar.faces[f]); };
-  const Index outside =
-      add_regions(drawing_, nested, even_faces(nested), name, file_.domain);
+  const Index outside = add_regions(drawing_, nested, even_faces(nested), name, file_.domain);
   if (outside > 0)
-    file_.warnings.push_back({ErrorCode::parse_error,
-                              "Open lines outside all regions were left out: " +
-                                  std::to_string(outside) + ".",
-                              {}});
+    file_.warnings.push_back(
+        {ErrorCode::parse_error,
+         "Open lines outside all regions were left out: " + std::to_string(outside) + ".",
+         {}});
   return std::move(file_);
 }
 

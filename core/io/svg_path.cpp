@@ -246,8 +246,8 @@ MaybeProblem read_transform(std::string_view text, Affine& map) {
     bool good = scan.take() == '(';
     while (good && scan.starts_number())
       good = count < values.size() && scan.number(values[count++]);
-    const auto function = good && scan.take() == ')' ? transform_function(name, values, count)
-                                                     : std::nullopt;
+    const auto function =
+        good && scan.take() == ')' ? transform_function(name, values, count) : std::nullopt;
     if (!function) return AttributeProblem{start, "This is not a transform that can be read."};
     map = map * *function;
   }
@@ -270,9 +270,8 @@ MaybeProblem read_length(std::string_view text, double& value) {
     std::string_view name;
     double pixels;
   };
-  constexpr Unit units[] = {{"", 1},          {"px", 1},          {"mm", 96 / 25.4},
-                            {"cm", 96 / 2.54}, {"in", 96},         {"pt", 96.0 / 72},
-                            {"pc", 16}};
+  constexpr Unit units[] = {{"", 1},    {"px", 1},         {"mm", 96 / 25.4}, {"cm", 96 / 2.54},
+                            {"in", 96}, {"pt", 96.0 / 72}, {"pc", 16}};
   Scanner scan(text);
   if (scan.number(value)) {
     const std::string_view name = scan.word();

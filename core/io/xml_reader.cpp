@@ -56,8 +56,7 @@ bool append_entity(std::string& out, std::string_view name) {
     std::string_view name;
     char character;
   };
-  constexpr Named known[] = {
-      {"amp", '&'}, {"lt", '<'}, {"gt", '>'}, {"quot", '"'}, {"apos", '\''}};
+  constexpr Named known[] = {{"amp", '&'}, {"lt", '<'}, {"gt", '>'}, {"quot", '"'}, {"apos", '\''}};
   for (const Named& entity : known) {
     if (entity.name != name) continue;
     out += entity.character;
