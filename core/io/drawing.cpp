@@ -45,7 +45,12 @@ std::vector<std::string> tags_of(const Drawing& drawing, const Walk& walk) {
   return tags;
 }
 
-void add_loop(const Drawing& drawing, const Walk& walk, DomainInput::Region& region) {
+/// In the direction in which it was drawn, so that points stay in the caller's order.
+void add_loop(const Drawing& drawing, Walk walk, DomainInput::Region& region) {
+  if (drawing.lines.edges[walk.edges.front()].a != walk.points.front()) {
+    std::reverse(walk.points.begin() + 1, walk.points.end());
+    std::reverse(walk.edges.begin(), walk.edges.end());
+  }
   region.loops.push_back(points_of(drawing.lines, walk));
   region.tags.push_back(tags_of(drawing, walk));
 }

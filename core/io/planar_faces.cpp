@@ -76,12 +76,14 @@ void Tracer::trace(const std::vector<char>& used) {
 
 Walk Tracer::walk(Index number) const {
   Walk walk;
-  Index h = first_[number];
+  // From the start of its first edge, whichever way that was drawn.
+  const Index start = first_[number] % 2 == 0 ? first_[number] : next_[first_[number]];
+  Index h = start;
   do {
     walk.points.push_back(origin(h));
     walk.edges.push_back(h / 2);
     h = next_[h];
-  } while (h != first_[number]);
+  } while (h != start);
   return walk;
 }
 

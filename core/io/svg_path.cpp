@@ -11,6 +11,9 @@ namespace lpq {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_command(char c) {
+  return c != '\0' && std::string_view("MmZzLlHhVvCcSsQqTtAa").find(c) != std::string_view::npos;
+}
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 /// Numbers as SVG packs them: "1-2.5.5e3" is 1, -2.5, .5e3.
@@ -94,8 +97,9 @@ class PathReader {
     const char first = scan_.peek();
     if (first != 'M' && first != 'm') return problem("Path data should start with M.");
     while (!scan_.at_end()) {
-      const char command = scan_.take();
-      if (!is_letter(command)) return problem("A path command was expected.");
+      const char command = scan_.peek();
+      if (!is_command(command)) return problem("A path command was expected.");
+      scan_.take();
       if (!run(command)) return problem(std::string("Command ") + command + " is incomplete.");
     }
     finish(false);
@@ -124,7 +128,6 @@ class PathReader {
       mirror_ = Mirror::none;
       return true;
     }
-    if (std::string_view("MLHVCSQTA").find(kind) == std::string_view::npos) return false;
     bool first = true;
     do {
       // Pairs after a move are lines.

@@ -42,6 +42,27 @@ TEST_CASE("a domain becomes every kind of file, and the mesh checks out") {
   }
 }
 
+TEST_CASE("drawings are domains too, and what they leave out is reported") {
+  const ScratchFolder folder("drawings");
+  const std::string drawing = folder.write(
+      "plate.svg",
+      "<svg><rect width='4' height='3'/><circle cx='1' cy='1' r='.5'/><text>1</text></svg>");
+  const std::string mesh = folder / "plate.msh";
+  const auto made = run({"mesh", drawing, "-o", mesh, "--report", folder / "report.json"});
+  INFO(made.err);
+  REQUIRE(made.code == 0);
+  CHECK(contains(made.out, "Left out: 1 text."));
+  CHECK(contains(file_text(folder / "report.json"), "Left out: 1 text."));
+  CHECK(run({"check", mesh, "--domain", drawing}).code == 0);
+  // A mesh is a domain as well: its outline comes back.
+  CHECK(run({"mesh", mesh, "-o", folder / "again.obj", "--keep-boundary"}).code == 0);
+  const auto broken =
+      run({"mesh", folder.write("x.svg", "<svg>\n<path d='M1'/></svg>"), "-o", mesh});
+  CHECK(broken.code == 3);
+  CHECK(contains(broken.err, "line 2"));
+  CHECK(run({"mesh", folder.write("x.stl", "solid x"), "-o", mesh}).code == 3);
+}
+
 TEST_CASE("the same run writes the same bytes") {
   const ScratchFolder folder("same_bytes");
   const std::string domain = domains + "/gear.json";

@@ -1,0 +1,259 @@
+// SVG: path data against known points and closed forms, transforms, what counts as an outline.
+#include "io/svg_domain.h"
+
+#include "catch.h"
+#include "io/svg_path.h"
+#include "numerics/elementary.h"
+#include "support/domain_files.h"
+
+using namespace lpq;
+using namespace lpq_test;
+
+namespace {
+
+DomainFile read_svg(const std::string& content) {
+  return lpq_test::read_file(svg(content), DomainFormat::svg);
+}
+
+/// The flattened subpaths, fine enough to compare points.
+std::vector<std::vector<Vec2>> points_of(const std::string& data) {
+  std::vector<Subpath> subpaths;
+  const MaybeProblem problem = read_path_data(data, subpaths);
+  INFO(data << (problem ? problem->message : ""));
+  REQUIRE_FALSE(problem);
+  std::vector<std::vector<Vec2>> result;
+  for (const Subpath& subpath : subpaths) {
+    result.emplace_back();
+    subpath.curve.flatten(1e-6, result.back());
+    if (subpath.closed) result.back().push_back(result.back().front());
+  }
+  return result;
+}
+
+void check_points(const std::string& data, const std::vector<std::vector<Vec2>>& expected) {
+  INFO(data);
+  CHECK(points_of(data) == expected);
+}
+
+/// The largest distance of the path's points from the circle.
+double off_circle(const std::string& data, Vec2 centre, double radius) {
+  double worst = 0;
+  for (const auto& subpath : points_of(data))
+    for (const Vec2 p : subpath) worst = std::max(worst, std::abs(distance(p, centre) - radius));
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("path data: lines in all their spellings") {
+  const std::vector<std::vector<Vec2>> square{{{1, 2}, {3, 2}, {3, 4}, {1, 4}, {1, 2}}};
+  for (const char* data :
+       {"M1 2L3 2L3 4L1 4Z", "M1,2 3,2 3,4 1,4z", "m1 2 2 0 0 2-2 0z", "M 1 2 H 3 V 4 H 1 Z",
+        "m1 2h2v2h-2z", "M1 2l2 0,0 2-2 0z", "  M+1e0,20e-1h2.v.2e1h-2.0z\n", "M1 2L3 2 3 4 1 4z"})
+    check_points(data, square);
+  check_points("M0 0h1v1zm2 2h1v1z",
+               {{{0, 0}, {1, 0}, {1, 1}, {0, 0}}, {{2, 2}, {3, 2}, {3, 3}, {2, 2}}});
+  check_points("M1 1h1v1zh-1v-1z",
+               {{{1, 1}, {2, 1}, {2, 2}, {1, 1}}, {{1, 1}, {0, 1}, {0, 0}, {1, 1}}});
+  check_points("M.5.5.75-.5", {{{0.5, 0.5}, {0.75, -0.5}}});
+  check_points("M5 5M1 1H2", {{{1, 1}, {2, 1}}});
+  CHECK(points_of("").empty());
+  CHECK(points_of("M1 1").empty());
+}
+
+TEST_CASE("path data: curves pass through the points of their formulas") {
+  const auto has = [](const std::string& data, Vec2 wanted) {
+    double best = 1;
+    for (const auto& subpath : points_of(data))
+      for (const Vec2 p : subpath) best = std::min(best, distance(p, wanted));
+    INFO(data << " through " << wanted.x << " " << wanted.y);
+    CHECK(best < 1e-14);
+  };
+  // Halving a curve gives its value at 1/2 and 1/4 exactly.
+  for (const char* data : {"M0 0C0 1 1 1 1 0", "m0 0c0 1 1 1 1 0"}) {
+    has(data, {0.5, 0.75});
+    has(data, {10.0 / 64, 36.0 / 64});
+  }
+  for (const char* data : {"M0 0Q1 2 2 0", "M0 0q1 2 2 0"}) has(data, {1, 1});
+  // S and T mirror the last control point, of a curve of their own kind only.
+  has("M0 0C0 1 1 1 1 0S2-1 2 0", {1.5, -0.75});
+  has("M0 0c0 1 1 1 1 0s1-1 1 0", {1.5, -0.75});
+  has("M0 0Q1 2 2 0T4 0", {3, -1});
+  has("M0 0q1 2 2 0t2 0", {3, -1});
+  has("M0 0Q1 2 2 0T4 0T6 0", {5, 1});
+  has("M0 0L2 0S4 2 4 0", {2.0 / 8 * 4 + 12.0 / 8 + 4.0 / 8, 6.0 / 8});
+  const auto turned = points_of("M0 0C0 1 1 1 1 0T3 0")[0];  // a T without a Q before it is a line
+  CHECK(turned[turned.size() - 2] == Vec2{1, 0});
+}
+
+TEST_CASE("path data: arcs lie on their ellipses") {
+  for (const char* data :
+       {"M1 0A1 1 0 0 1 0 1", "M1 0a1 1 0 0 1-1 1", "M1 0A1 1 0 01 0 1", "M1 0a1 1 0 01-1 1",
+        "M1 0A1 1 0 1 1 0-1", "M1 0A1 1 0 0 0 0-1", "M1,0A1,1,0,0,1,-1,0", "M1 0A-1-1 90 0 1-1 0"})
+    CHECK(off_circle(data, {0, 0}, 1) < 1e-14);
+  // Large and small arcs, both ways round: where the arc from (1, 0) to (0, 1) goes.
+  const auto middle = [](const std::string& flags) {
+    const auto points = points_of("M1 0A1 1 0 " + flags + " 0 1")[0];
+    return points[points.size() / 2];
+  };
+  CHECK(middle("0 1").x > 0.5);
+  CHECK(middle("1 0").x < -0.5);
+  CHECK(middle("0 0").x < 0.5);
+  CHECK(middle("1 1").x > 1.5);
+  CHECK(off_circle("M1 0A1 1 0 1 1 0 1", {1, 1}, 1) < 1e-14);
+  // Radii that are too small grow; no radius is a line; no distance is nothing.
+  CHECK(off_circle("M0 0A.1 .1 0 0 1 2 0", {1, 0}, 1) < 1e-14);
+  check_points("M0 0A0 1 0 0 1 2 0", {{{0, 0}, {2, 0}}});
+  CHECK(points_of("M0 0A1 1 0 0 1 0 0").empty());
+  // An ellipse twice as long as wide, turned by 90 degrees.
+  const auto ellipse = points_of("M1 0A2 1 90 0 1-1 0");
+  for (const Vec2 p : ellipse[0]) CHECK(std::abs(p.x * p.x + p.y * p.y / 4 - 1) < 1e-14);
+}
+
+TEST_CASE("path data that is wrong is refused at its character") {
+  const std::pair<const char*, std::size_t> wrong[] = {{"L1 1", 0},
+                                                       {"M1", 2},
+                                                       {"M1 1 2", 6},
+                                                       {"M1 1X", 4},
+                                                       {"M1 1L1 x", 7},
+                                                       {"M1 1 & 2", 5},
+                                                       {"M0 0A1 1 0 2 0 1 1", 11},
+                                                       {"M0 0h", 5},
+                                                       {"M0 0C1 1 2 2 3", 14},
+                                                       {"M0 0 1e999 0", 5},
+                                                       {"M1 1z5", 5},
+                                                       {"M0 0 NaN 1", 5}};
+  for (const auto& [data, at] : wrong) {
+    std::vector<Subpath> subpaths;
+    const MaybeProblem problem = read_path_data(data, subpaths);
+    INFO(data);
+    REQUIRE(problem);
+    CHECK(problem->at == at);
+  }
+  const Error error = refusal(svg("<g>\n<path\n d='M0 0 L1 x'/></g>"), DomainFormat::svg);
+  CHECK(error.where.line == 5);
+  CHECK(svg("<g>\n<path\n d='M0 0 L1 x'/></g>")[static_cast<std::size_t>(error.where.byte)] == 'x');
+}
+
+TEST_CASE("shapes have their areas") {
+  const auto area = [](const std::string& content) { return total_area(read_svg(content).domain); };
+  CHECK(area("<rect x='1' y='2' width='3' height='4'/>") == 12);
+  CHECK(area("<polygon points='0,0 4,0 4,3'/>") == 6);
+  CHECK(area("<polyline points='0 0 4 0 4 3'/>") == 6);  // filled, so closed
+  // A chord of a circle strays by 2e-4 of its diameter at most: two thirds of that on average.
+  const double circle = area("<circle cx='5' r='1'/>");
+  CHECK(circle < pi);
+  CHECK(circle > pi - 2 * pi * 4e-4);
+  const double ellipse = area("<ellipse rx='3' ry='1'/>");
+  CHECK(ellipse < 3 * pi);
+  CHECK(ellipse > 3 * pi - 14 * 12e-4);
+  const double rounded = area("<rect width='4' height='3' rx='1'/>");
+  CHECK(rounded < 12 - (4 - pi));
+  CHECK(rounded > 12 - (4 - pi) - 2 * pi * 8e-4);
+  CHECK(area("<rect width='4' height='3' ry='9' rx='1'/>") ==
+        area("<rect width='4' height='3' rx='1' ry='1.5'/>"));
+  CHECK(area("<rect width='1in' height='96px'/>") == 96 * 96);
+  const auto bezier = points_of("M0 0C0 1 1 1 1 0Z")[0];
+  CHECK(std::abs(std::abs(signed_area(bezier)) - 0.6) < 1e-6);
+}
+
+TEST_CASE("y points up, and transforms apply from the inside out") {
+  const auto first = [](const std::string& content) {
+    return read_svg(content).domain.regions.at(0).loops.at(0).at(0);
+  };
+  const std::string shape = "<path d='M2 1h3v4z'";
+  CHECK(first(shape + "/>") == Vec2{2, -1});
+  CHECK(first(shape + " transform='translate(10)'/>") == Vec2{12, -1});
+  CHECK(first(shape + " transform='translate(10,20)'/>") == Vec2{12, -21});
+  CHECK(first(shape + " transform='scale(2)'/>") == Vec2{4, -2});
+  CHECK(first(shape + " transform='scale(2 -3)'/>") == Vec2{4, 3});
+  CHECK(first(shape + " transform='rotate(90)'/>") == Vec2{-1, -2});
+  CHECK(first(shape + " transform='rotate(-180 2 2)'/>") == Vec2{2, -3});
+  CHECK(first(shape + " transform='matrix(1 2 3 4 5 6)'/>") == Vec2{10, -14});
+  CHECK(distance(first(shape + " transform='skewX(45)'/>"), {3, -1}) < 1e-15);
+  CHECK(distance(first(shape + " transform='skewY(45)'/>"), {2, -3}) < 1e-15);
+  CHECK(first(shape + " transform='translate(1 0) , scale(2)'/>") == Vec2{5, -2});
+  CHECK(first("<g transform='scale(2)'><svg:g transform='translate(1,0)'>" + shape +
+              "/></svg:g></g>") == Vec2{6, -2});
+  for (const char* bad :
+       {"rotate(1 2)", "scale()", "matrix(1 2 3)", "turn(3)", "scale(2", "skewX(90)"})
+    CHECK(refusal(svg(shape + " transform='" + bad + "'/>"), DomainFormat::svg).code ==
+          ErrorCode::parse_error);
+}
+
+TEST_CASE("outlines nest by the even-odd rule over all elements") {
+  const auto file = read_svg(
+      "<circle id='island' cx='3' cy='3' r='.5'/><path id='plate' d='M0 0h10v10h-10z M1 "
+      "1v4h4v-4z'/>"
+      "<rect id='hole' x='6' y='6' width='2' height='2'/><rect x='20' width='1' height='1'/>");
+  REQUIRE(file.domain.regions.size() == 3);
+  CHECK(file.warnings.empty());
+  CHECK(file.domain.regions[0].name == "island");
+  CHECK(file.domain.regions[1].name == "plate");
+  CHECK(file.domain.regions[1].loops.size() == 3);
+  CHECK(region_area(file.domain.regions[1]) == 100 - 16 - 4);
+  CHECK(file.domain.regions[2].name.empty());
+  const auto tags = file.domain.regions[1].tags;
+  REQUIRE(tags.size() == 3);
+  CHECK(tags[2] == std::vector<std::string>(4, "hole"));
+}
+
+TEST_CASE("what is not drawn, not filled or not closed") {
+  const std::string plate = "<rect width='9' height='9'/>";
+  CHECK(read_svg(plate + "<defs><circle r='1'/></defs><g display='none'><circle r='1'/></g>"
+                         "<clipPath><circle r='1'/></clipPath><symbol><circle r='1'/></symbol>"
+                         "<circle r='1' style='stroke:red; display : none !important'/>")
+            .domain.regions[0]
+            .loops.size() == 1);
+  const auto used = read_svg(plate + "<use href='#a'/><text>x</text><use/>");
+  REQUIRE(used.warnings.size() == 1);
+  CHECK(used.warnings[0].message == "Left out: 2 use and 1 text.");
+  // Open and not filled: a polyline inside; where ends meet, an outline.
+  const auto crack =
+      read_svg(plate +
+               "<path id='crack' fill='none' d='M1 1L2 2 3 1'/>"
+               "<g fill='none'><path d='M20 0h1'/></g><line x1='1' y1='5' x2='2' y2='5'/>");
+  REQUIRE(crack.domain.polylines.size() == 2);
+  CHECK(crack.domain.polylines[0].tag == "crack");
+  CHECK(crack.domain.polylines[0].points.size() == 3);
+  CHECK(crack.warnings.size() == 1);  // of the one outside
+  const auto pieces =
+      read_svg(plate + "<g style='fill:none'><path d='M1 1h2v2'/><path d='M1 1v2h2'/></g>");
+  CHECK(region_area(pieces.domain.regions[0]) == 81 - 4);
+  // Open and filled: closed, with a warning.
+  const auto closed = read_svg(plate + "<path d='M1 1h2v2'/>");
+  CHECK(region_area(closed.domain.regions[0]) == 81 - 2);
+  CHECK(closed.warnings.size() == 1);
+}
+
+TEST_CASE("SVG that is none, or has nothing to mesh") {
+  CHECK(refusal(svg(""), DomainFormat::svg).code == ErrorCode::empty);
+  CHECK(refusal(svg("<path fill='none' d='M0 0h1'/>"), DomainFormat::svg).where.has_point);
+  for (const char* text :
+       {"", "plain text", "<html></html>", "<svg>", "<svg></sv>", "<svg a></svg>",
+        "<svg a='1></svg>", "<svg/><svg/>", "<svg><!-- </svg>", "<svg><![CDATA[ </svg>",
+        "<!DOCTYPE svg [ <svg/>", "<svg><rect width='-1' height='1'/></svg>",
+        "<svg><rect width='10%' height='1'/></svg>", "<svg><circle r='NaN'/></svg>"}) {
+    INFO(text);
+    CHECK(refusal(text, DomainFormat::svg).code == ErrorCode::parse_error);
+  }
+  std::string deep;
+  for (int i = 0; i < 100'000; ++i) deep += "<g>";
+  CHECK(refusal(svg(deep), DomainFormat::svg).code == ErrorCode::parse_error);
+  CHECK(refusal(svg("<rect width='1' height='1' transform='scale(1e308) scale(1e308)'/>"),
+                DomainFormat::svg)
+            .code == ErrorCode::non_finite);
+}
+
+TEST_CASE("XML around the shapes: entities, document types, byte order mark") {
+  const std::string text =
+      "\xEF\xBB\xBF<?xml version='1.0'?>\r\n<!DOCTYPE svg PUBLIC \"-//W3C//DTD SVG 1.1//EN\" "
+      "\"x>\" [\r\n"
+      "<!ENTITY lol \"<rect width='9' height='9'/>\"> <!-- ]> --> ]>\r\n<svg:svg><svg:rect\r\n"
+      "id=\"&lt;a&#65;&#x42;&unknown;&gt;\" width='&#50;' height='1' />&lol;</svg:svg>\r\n<!-- end "
+      "-->";
+  const auto file = lpq_test::read_file(text, DomainFormat::svg);
+  REQUIRE(file.domain.regions.size() == 1);
+  CHECK(file.domain.regions[0].name == "<aAB&unknown;>");
+  CHECK(total_area(file.domain) == 2);
+}
