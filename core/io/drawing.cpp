@@ -98,7 +98,10 @@ double drawing_size(const LineWork& lines) {
   return std::max(hi.x - lo.x, hi.y - lo.y);
 }
 
-Result<int> join_drawing(Drawing& drawing, double tolerance, std::vector<Warning>& warnings) {
+Result<int> join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
+                         std::vector<Warning>& warnings) {
+  if (is_too_many(drawing.lines, bytes))
+    return Error{ErrorCode::too_large, "The curves of this drawing have too many corners.", {}};
   for (const LineWork::Edge& edge : drawing.lines.edges) {
     if (is_finite(drawing.lines.points[edge.a]) && is_finite(drawing.lines.points[edge.b]))
       continue;

@@ -33,12 +33,20 @@ inline constexpr std::size_t longest_name = 127;
 /// point. Numbers in drawings have six digits or so, and each program rounds in its own way.
 inline constexpr double join_tolerance = 1e-5;
 
+/// A text of `bytes` may draw this many points: one for each byte, or a million. Few bytes make a
+/// curve of many corners, and memory is to grow with the text.
+inline bool is_too_many(const LineWork& lines, std::size_t bytes) {
+  constexpr std::size_t always_allowed = 1 << 20;
+  return lines.points.size() > always_allowed && lines.points.size() > bytes;
+}
+
 /// The larger side of the box around the points; 0 without points.
 double drawing_size(const LineWork& lines);
 
 /// Joins the points, with warnings about gaps larger than rounding (1e-9 of the size) and about
-/// edges drawn twice. Errors: non_finite.
-Result<int> join_drawing(Drawing& drawing, double tolerance, std::vector<Warning>& warnings);
+/// edges drawn twice. `bytes` is the size of the text. Errors: non_finite, too_large.
+Result<int> join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
+                         std::vector<Warning>& warnings);
 
 /// The faces of joined line work, and which of them lie in which others.
 struct NestedFaces {

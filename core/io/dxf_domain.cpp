@@ -12,7 +12,7 @@ namespace {
 
 class DxfReader {
  public:
-  explicit DxfReader(std::string_view text) : groups_(text) {}
+  explicit DxfReader(std::string_view text) : groups_(text), text_size_(text.size()) {}
 
   Result<DomainFile> read() {
     if (!find_entities()) return error_;
@@ -126,6 +126,7 @@ class DxfReader {
     const double tolerance = flattening_tolerance(box);
     std::vector<Vec2> points;
     for (const Piece& piece : pieces_) {
+      if (is_too_many(drawing_.lines, text_size_)) return;  // join_drawing says so
       points.clear();
       if (piece.curve.spline) {
         lpq::flatten(*piece.curve.spline, tolerance, points);
@@ -148,7 +149,7 @@ class DxfReader {
     warn(interpolated_ > 0, "Splines given by fit points alone, drawn as natural cubic splines: " +
                                 std::to_string(interpolated_) + ".");
     const double tolerance = join_tolerance * drawing_size(drawing_.lines);
-    const auto joined = join_drawing(drawing_, tolerance, file_.warnings);
+    const auto joined = join_drawing(drawing_, text_size_, tolerance, file_.warnings);
     if (!joined) return joined.error();
     const NestedFaces nested = nest_faces(drawing_.lines);
     if (!nested.planar.chains.empty()) return open_chain_error(drawing_, nested, tolerance);
@@ -162,6 +163,7 @@ class DxfReader {
   }
 
   DxfGroups groups_;
+  std::size_t text_size_;
   DxfGroup group_;
   bool paper_space_ = false;
   Drawing drawing_;

@@ -17,7 +17,8 @@
 namespace lpq {
 
 /// Curves become polylines within 2e-4 of the drawing's size. Errors: parse_error (also an open
-/// outline, with the point where it is open), non_finite, empty, with line and byte.
+/// outline, with the point where it is open), non_finite, empty, with line and byte;
+/// too_large where curves have more corners than the text has bytes (and more than a million).
 Result<DomainFile> read_dxf_domain(std::string_view text);
 
 }  // namespace lpq

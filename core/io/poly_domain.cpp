@@ -25,7 +25,7 @@ std::string marker_name(std::int64_t marker) {
 
 class PolyReader {
  public:
-  explicit PolyReader(std::string_view text) : lines_(text) {}
+  explicit PolyReader(std::string_view text) : lines_(text), text_size_(text.size()) {}
 
   Result<DomainFile> read() {
     read_vertices();
@@ -84,6 +84,7 @@ class PolyReader {
   Result<DomainFile> finish();
 
   LineReader lines_;
+  std::size_t text_size_;
   Words words_;
   std::int64_t first_ = 0;  // number of the first vertex, 0 or 1
   std::vector<Marked> vertices_;
@@ -175,7 +176,7 @@ std::vector<Marked> PolyReader::free_vertices() const {
 }
 
 Result<DomainFile> PolyReader::finish() {
-  const auto joined = join_drawing(drawing_, 0, file_.warnings);
+  const auto joined = join_drawing(drawing_, text_size_, 0, file_.warnings);
   if (!joined) return joined.error();
   const std::vector<Marked> free = free_vertices();
   std::vector<Vec2> probes = holes_;

@@ -275,6 +275,7 @@ void SvgReader::flatten() {
   const double tolerance = flattening_tolerance(box);
   std::vector<Vec2> points;
   for (Outline& outline : outlines_) {
+    if (is_too_many(drawing_.lines, text_.size())) return;  // join_drawing says so
     points.clear();
     outline.path.curve.flatten(tolerance, points);
     bool closed = outline.path.closed;
@@ -296,7 +297,7 @@ Result<DomainFile> SvgReader::finish() {
   if (left_out_.any())
     file_.warnings.push_back({ErrorCode::parse_error, "Left out: " + left_out_.text() + ".", {}});
   const double tolerance = join_tolerance * drawing_size(drawing_.lines);
-  const auto joined = join_drawing(drawing_, tolerance, file_.warnings);
+  const auto joined = join_drawing(drawing_, text_.size(), tolerance, file_.warnings);
   if (!joined) return joined.error();
   const NestedFaces nested = nest_faces(drawing_.lines);
   if (nested.planar.faces.empty()) {

@@ -18,8 +18,9 @@
 
 namespace lpq {
 
-/// Curves become polylines within 2e-4 of the drawing's size. Errors: parse_error, non_finite and
-/// empty, with line and byte.
+/// Curves become polylines within 2e-4 of the drawing's size. Errors: parse_error, non_finite,
+/// empty, with line and byte; too_large where curves have more corners than the text has bytes
+/// (and more than a million).
 Result<DomainFile> read_svg_domain(std::string_view text);
 
 }  // namespace lpq

@@ -110,9 +110,12 @@ TEST_CASE("long lines, long names and many small things") {
   for (int i = 0; i < 200'000; ++i) path += "h1v1";
   const auto stairs = lpq_test::read_file(svg(path + "V0z'/>"), DomainFormat::svg);
   CHECK(stairs.domain.regions[0].loops[0].size() == 400'002);
+  std::string circles;
+  for (int i = 0; i < 20'000; ++i) circles += "<circle r='9'/>";
+  CHECK(refusal(svg(circles), DomainFormat::svg).code == ErrorCode::too_large);
   std::string rects;
   for (int i = 0; i < 20'000; ++i)
-    rects += "<rect x='" + std::to_string(2 * i) + "' width='1' height='1'/>";
+    rects.append("<rect x='").append(std::to_string(2 * i)).append("' width='1' height='1'/>");
   CHECK(lpq_test::read_file(svg(rects), DomainFormat::svg).domain.regions.size() == 20'000);
 }
 
