@@ -203,7 +203,8 @@ TEST_CASE("MSH: lines inside, holes in the mesh, turned faces, faces that overla
     const int a = 4 * (i / 3) + i % 3;
     const int corners[] = {a, a + 1, a + 5, a + 4};
     quads += std::to_string(++count) + " 3 2 0 1";
-    for (int k = 0; k < 4; ++k) quads += " " + std::to_string(corners[i % 2 == 0 ? k : 3 - k]);
+    for (int k = 0; k < 4; ++k)
+      quads.append(" ").append(std::to_string(corners[i % 2 == 0 ? k : 3 - k]));
     quads += "\n";
   }
   const auto elements = [&](const std::string& more, int extra) {

@@ -53,7 +53,7 @@ TEST_CASE("bulges are tangents of quarter angles, to the left") {
   // A quarter turn bulging out of, then into, a square of side 2.
   const double segment = pi / 2 - 1, quarter = 0.41421356237309503;
   const auto square = [](double bulge) {
-    return "0 LWPOLYLINE 70 1 10 0 20 0 42 " + std::to_string(bulge) +
+    return std::string("0 LWPOLYLINE 70 1 10 0 20 0 42 ") + std::to_string(bulge) +
            " 10 2 20 0 10 2 20 2 10 0 20 2";
   };
   check_area(square(quarter), 4 + segment, 2.5, 3);
