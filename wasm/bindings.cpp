@@ -7,8 +7,10 @@
 #include <new>
 
 #include "io/describe.h"
-#include "io/json_domain.h"
-#include "io/mesh_format.h"
+#include "io/domain/domain_format.h"
+#include "io/domain/json_domain.h"
+#include "io/error_text.h"
+#include "io/mesh/mesh_format.h"
 #include "io/report.h"
 #include "marshal.h"
 #include "options.h"
@@ -89,12 +91,20 @@ val write_mesh_text(const val& mesh_object, const std::string& format, const val
   });
 }
 
-val read_domain_text(const std::string& text, const std::string&, const std::string&) {
+/// By the short name of a format, or else by the file's name and content.
+Result<DomainFile> read_any(const std::string& text, const std::string& format,
+                            const std::string& name) {
+  if (format.empty()) return read_domain_file(name, text);
+  if (const auto known = domain_format_by_name(format)) return read_domain(text, *known);
+  return Error{ErrorCode::bad_option, "There is no domain format '" + format + "'.", {}};
+}
+
+val read_domain_text(const std::string& text, const std::string& format, const std::string& name) {
   return guarded([&] {
-    const auto domain = parse_domain_json(text);
-    if (!domain) return failure(domain.error());
-    val result = text_result(write_domain_json(*domain));
-    result.set("warnings", std::string("[]"));
+    const auto file = read_any(text, format, name);
+    if (!file) return failure(file.error());
+    val result = text_result(write_domain_json(file->domain));
+    result.set("warnings", errors_json(file->warnings));
     return result;
   });
 }

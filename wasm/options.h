@@ -4,7 +4,7 @@
 #include <emscripten/val.h>
 
 #include "base/result.h"
-#include "io/mesh_format.h"
+#include "io/mesh/mesh_format.h"
 #include "pipeline/options.h"
 
 namespace lpq {

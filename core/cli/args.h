@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "io/mesh_format.h"
+#include "io/mesh/mesh_format.h"
 #include "pipeline/options.h"
 
 namespace lpq {

@@ -10,11 +10,11 @@
 #include "cli/help.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
-#include "io/domain_format.h"
+#include "io/domain/domain_format.h"
 #include "io/error_text.h"
 #include "io/report.h"
 #include "io/stages.h"
-#include "io/svg.h"
+#include "io/picture/svg.h"
 #include "pipeline/mesher.h"
 
 namespace lpq {

@@ -6,7 +6,7 @@
 
 #include "base/result.h"
 #include "cli/args.h"
-#include "io/mesh_format.h"
+#include "io/mesh/mesh_format.h"
 
 namespace lpq {
 

@@ -1,8 +1,9 @@
 // See describe.h.
 #include "io/describe.h"
 
+#include "io/domain/domain_format.h"
 #include "io/json_write.h"
-#include "io/mesh_format.h"
+#include "io/mesh/mesh_format.h"
 #include "pipeline/options.h"
 
 namespace lpq {
@@ -48,6 +49,14 @@ void append_codes(JsonWriter& json) {
   json.end_array();
 }
 
+template <class Formats>
+void append_names(JsonWriter& json, std::string_view key, const Formats& formats) {
+  json.key(key);
+  json.begin_array();
+  for (const auto& info : formats) json.value(info.name);
+  json.end_array();
+}
+
 }  // namespace
 
 const char* version() { return LPQ_VERSION; }
@@ -60,10 +69,8 @@ std::string write_description() {
   append_table(json, "options", Options{});
   append_table(json, "writeOptions", MeshWriteOptions{});
   append_codes(json);
-  json.key("meshFormats");
-  json.begin_array();
-  for (const MeshFormatInfo& info : mesh_formats) json.value(info.name);
-  json.end_array();
+  append_names(json, "meshFormats", mesh_formats);
+  append_names(json, "domainFormats", domain_formats);
   json.end_object();
   out += '\n';
   return out;

@@ -65,6 +65,15 @@ void append_error(JsonWriter& json, const Error& error) {
   json.end_object();
 }
 
+std::string errors_json(const std::vector<Error>& errors) {
+  std::string out;
+  JsonWriter json(out);
+  json.begin_array();
+  for (const Error& error : errors) append_error(json, error);
+  json.end_array();
+  return out;
+}
+
 std::string write_error_json(const Error& error) {
   std::string out;
   JsonWriter json(out);

@@ -14,6 +14,9 @@ std::string error_text(const Error& error);
 /// {"code":"SELF_INTERSECTION","message":"..","where":{"loop":0,"edge":3,..,"x":0.5,"y":0.25}}
 void append_error(JsonWriter& json, const Error& error);
 
+/// The warnings as an array of the same.
+std::string errors_json(const std::vector<Error>& errors);
+
 /// {"error":{..}} as a file of its own.
 std::string write_error_json(const Error& error);
 

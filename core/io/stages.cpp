@@ -2,8 +2,8 @@
 #include "io/stages.h"
 
 #include "io/json_write.h"
-#include "io/obj.h"
-#include "io/svg.h"
+#include "io/mesh/obj.h"
+#include "io/picture/svg.h"
 
 namespace lpq {
 namespace {

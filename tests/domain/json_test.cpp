@@ -2,7 +2,7 @@
 #include <string>
 
 #include "catch.h"
-#include "io/json_domain.h"
+#include "io/domain/json_domain.h"
 
 using namespace lpq;
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "domain/boundary.h"
-#include "io/json_domain.h"
+#include "io/domain/json_domain.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t enough = 1 << 16;

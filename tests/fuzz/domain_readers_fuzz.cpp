@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "io/domain_format.h"
+#include "io/domain/domain_format.h"
 
 namespace {
 

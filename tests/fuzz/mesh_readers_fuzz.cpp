@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "io/mesh_format.h"
-#include "io/svg.h"
+#include "io/mesh/mesh_format.h"
+#include "io/picture/svg.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 #include "support/domain_files.h"
 
 #include "catch.h"
-#include "io/msh.h"
+#include "io/mesh/msh.h"
 #include "support/output_meshes.h"
 
 using namespace lpq;

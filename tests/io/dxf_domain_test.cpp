@@ -1,8 +1,8 @@
 // DXF: curves against closed forms, assembly, what is refused.
-#include "io/dxf_domain.h"
+#include "io/domain/dxf_domain.h"
 
 #include "catch.h"
-#include "io/bspline.h"
+#include "io/domain/bspline.h"
 #include "numerics/elementary.h"
 #include "support/domain_files.h"
 

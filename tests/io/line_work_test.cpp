@@ -2,7 +2,7 @@
 #include "base/rng.h"
 #include "catch.h"
 #include "geometry/polygon.h"
-#include "io/drawing.h"
+#include "io/domain/drawing.h"
 
 using namespace lpq;
 

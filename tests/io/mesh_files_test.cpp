@@ -3,11 +3,11 @@
 #include <cstring>
 
 #include "catch.h"
-#include "io/mesh_format.h"
-#include "io/mesh_json.h"
-#include "io/msh_model.h"
-#include "io/obj.h"
-#include "io/vtu.h"
+#include "io/mesh/mesh_format.h"
+#include "io/mesh/mesh_json.h"
+#include "io/mesh/msh_model.h"
+#include "io/mesh/obj.h"
+#include "io/mesh/vtu.h"
 #include "support/output_meshes.h"
 
 using namespace lpq;

@@ -1,8 +1,8 @@
 // Readers against files that are not what they say they are.
 #include "base/rng.h"
 #include "catch.h"
-#include "io/msh.h"
-#include "io/obj.h"
+#include "io/mesh/msh.h"
+#include "io/mesh/obj.h"
 #include "support/output_meshes.h"
 
 using namespace lpq;

@@ -3,14 +3,14 @@
 #include <sstream>
 
 #include "catch.h"
-#include "io/bdf.h"
-#include "io/edge_sides.h"
-#include "io/geojson.h"
-#include "io/inp.h"
-#include "io/mesh_format.h"
-#include "io/ply.h"
-#include "io/su2.h"
-#include "io/vtk.h"
+#include "io/mesh/bdf.h"
+#include "io/mesh/edge_sides.h"
+#include "io/mesh/geojson.h"
+#include "io/mesh/inp.h"
+#include "io/mesh/mesh_format.h"
+#include "io/mesh/ply.h"
+#include "io/mesh/su2.h"
+#include "io/mesh/vtk.h"
 #include "support/output_meshes.h"
 
 using namespace lpq;

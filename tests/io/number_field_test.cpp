@@ -9,7 +9,7 @@
 
 #include "base/rng.h"
 #include "catch.h"
-#include "io/labels.h"
+#include "io/mesh/labels.h"
 #include "io/number.h"
 
 using namespace lpq;

@@ -1,8 +1,8 @@
 // Pictures are well-formed, small, and put things where they belong.
 #include "catch.h"
 #include "delaunay/delaunay.h"
-#include "io/svg.h"
-#include "io/svg_canvas.h"
+#include "io/picture/svg.h"
+#include "io/picture/svg_canvas.h"
 #include "support/output_meshes.h"
 
 using namespace lpq;

@@ -1,8 +1,8 @@
 // SVG: path data against known points and closed forms, transforms, what counts as an outline.
-#include "io/svg_domain.h"
+#include "io/domain/svg_domain.h"
 
 #include "catch.h"
-#include "io/svg_path.h"
+#include "io/domain/svg_path.h"
 #include "numerics/elementary.h"
 #include "support/domain_files.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "figures.h"
-#include "io/svg.h"
+#include "io/picture/svg.h"
 #include "lpcvt/energy.h"
 #include "lpcvt/seeds.h"
 #include "support/shapes.h"

@@ -10,7 +10,7 @@
 
 #include "catch.h"
 #include "domain/domain.h"
-#include "io/json_domain.h"
+#include "io/domain/json_domain.h"
 
 namespace lpq_test {
 

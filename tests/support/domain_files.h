@@ -9,7 +9,7 @@
 
 #include "catch.h"
 #include "geometry/polygon.h"
-#include "io/domain_format.h"
+#include "io/domain/domain_format.h"
 
 namespace lpq_test {
 

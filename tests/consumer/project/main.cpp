@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "io/obj.h"
+#include "io/mesh/obj.h"
 
 int main() {
   lpq::DomainInput square;

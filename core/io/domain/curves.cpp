@@ -1,0 +1,176 @@
+// Flattening. A cubic is halved [de Casteljau] until its control points lie within 4/3 of the
+// tolerance from the chord, for B(t) strays from it by at most 3 t (1 - t) <= 3/4 of that distance.
+// An arc of radius r and angle d strays from its chord by r (1 - cos(d/2)) <= r d^2 / 8; for the
+// image of a circle under a linear map, r is the largest stretch.
+#include "io/domain/curves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/elementary.h"
+
+namespace lpq {
+namespace {
+
+constexpr int deepest_halving = 10;
+constexpr double widest_step = pi / 8;  // of an arc: 3 % of the area of a circle at most
+constexpr double finest_arc = 4096;     // pieces
+
+/// Distance of p from the segment a b, squared.
+double squared_distance_to(Vec2 p, Vec2 a, Vec2 b) {
+  const Vec2 ab = b - a, ap = p - a;
+  const double along = dot(ap, ab), length2 = squared_length(ab);
+  if (!(along > 0)) return squared_length(ap);
+  if (along >= length2) return squared_length(p - b);
+  const double across = cross(ab, ap);
+  return across * across / length2;
+}
+
+void flatten_cubic(Vec2 a, Vec2 b, Vec2 c, Vec2 d, double limit2, int depth,
+                   std::vector<Vec2>& polyline) {
+  const bool flat =
+      squared_distance_to(b, a, d) <= limit2 && squared_distance_to(c, a, d) <= limit2;
+  if (flat || depth == deepest_halving) {
+    polyline.push_back(d);
+    return;
+  }
+  const Vec2 ab = midpoint(a, b), bc = midpoint(b, c), cd = midpoint(c, d);
+  const Vec2 abc = midpoint(ab, bc), bcd = midpoint(bc, cd), middle = midpoint(abc, bcd);
+  flatten_cubic(a, ab, abc, middle, limit2, depth + 1, polyline);
+  flatten_cubic(middle, bcd, cd, d, limit2, depth + 1, polyline);
+}
+
+/// The largest stretch of the map (1, 0) -> u, (0, 1) -> v.
+double largest_stretch(Vec2 u, Vec2 v) {
+  const double p = squared_length(u), q = squared_length(v), r = dot(u, v);
+  const double half = 0.5 * (p - q);
+  return std::sqrt(0.5 * (p + q) + std::sqrt(half * half + r * r));
+}
+
+/// The corners of tangents around the arc, at most a quarter turn each.
+void extend_by_arc(Vec2 start, Vec2 centre, Vec2 axis, double sweep, Box& box) {
+  const Vec2 u = start - centre;
+  const double quarters = std::min(std::ceil(std::abs(sweep) / (pi / 2)), 4.0);
+  const double stretch = 1 / sin_cos(sweep / (2 * quarters)).cos;
+  for (double i = 0; i < quarters; ++i) {
+    const SinCos t = sin_cos(sweep * ((i + 0.5) / quarters));
+    extend(box, centre + stretch * (t.cos * u + t.sin * axis));
+  }
+}
+
+}  // namespace
+
+Affine operator*(const Affine& outer, const Affine& inner) {
+  const Vec2 x = outer.direction({inner.a, inner.b}), y = outer.direction({inner.c, inner.d});
+  const Vec2 shift = outer({inner.e, inner.f});
+  return {x.x, x.y, y.x, y.y, shift.x, shift.y};
+}
+
+void CurvePath::line_to(Vec2 end) {
+  kinds_.push_back(Kind::line);
+  points_.push_back(end);
+}
+
+void CurvePath::quadratic_to(Vec2 control, Vec2 end) {
+  const Vec2 a = current();  // the same curve as a cubic
+  cubic_to(a + (2.0 / 3) * (control - a), end + (2.0 / 3) * (control - end), end);
+}
+
+void CurvePath::cubic_to(Vec2 first_control, Vec2 second_control, Vec2 end) {
+  kinds_.push_back(Kind::cubic);
+  points_.insert(points_.end(), {first_control, second_control, end});
+}
+
+void CurvePath::arc_to(Vec2 centre, Vec2 axis, double sweep, Vec2 end) {
+  kinds_.push_back(Kind::arc);
+  points_.insert(points_.end(), {centre, axis, {sweep, 0}, end});
+}
+
+std::size_t CurvePath::point_count(Kind kind) {
+  switch (kind) {
+    case Kind::line: return 1;
+    case Kind::cubic: return 3;
+    case Kind::arc: return 4;
+  }
+  return 0;
+}
+
+void CurvePath::transform(const Affine& map) {
+  points_[0] = map(points_[0]);
+  std::size_t at = 1;
+  for (const Kind kind : kinds_) {
+    for (std::size_t i = 0; i < point_count(kind); ++i, ++at) {
+      if (kind == Kind::arc && i == 2) continue;
+      points_[at] = kind == Kind::arc && i == 1 ? map.direction(points_[at]) : map(points_[at]);
+    }
+  }
+}
+
+void CurvePath::extend(Box& box) const {
+  lpq::extend(box, points_[0]);
+  std::size_t at = 1;
+  for (const Kind kind : kinds_) {
+    const Vec2* p = points_.data() + at;
+    if (kind == Kind::arc) {
+      extend_by_arc(p[-1], p[0], p[1], p[2].x, box);
+      lpq::extend(box, p[3]);
+    } else {
+      for (std::size_t i = 0; i < point_count(kind); ++i) lpq::extend(box, p[i]);
+    }
+    at += point_count(kind);
+  }
+}
+
+void CurvePath::flatten(double tolerance, std::vector<Vec2>& polyline) const {
+  polyline.push_back(points_[0]);
+  const double limit = tolerance * (4.0 / 3);
+  std::size_t at = 1;
+  for (const Kind kind : kinds_) {
+    const Vec2* p = points_.data() + at;
+    switch (kind) {
+      case Kind::line: polyline.push_back(p[0]); break;
+      case Kind::cubic: flatten_cubic(p[-1], p[0], p[1], p[2], limit * limit, 0, polyline); break;
+      case Kind::arc: flatten_arc(p[-1], p[0], p[1], p[2].x, p[3], tolerance, polyline); break;
+    }
+    at += point_count(kind);
+  }
+}
+
+Box empty_box() { return {{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}}; }
+
+void extend(Box& box, Vec2 p) {
+  box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y)};
+  box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y)};
+}
+
+double flattening_tolerance(const Box& box) {
+  const double size = std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y);
+  return size > 0 && std::isfinite(size) ? flattening * size : 0;
+}
+
+void flatten_arc(Vec2 start, Vec2 centre, Vec2 axis, double sweep, Vec2 end, double tolerance,
+                 std::vector<Vec2>& polyline) {
+  const Vec2 u = start - centre;
+  const double step = std::sqrt(8 * tolerance / largest_stretch(u, axis));
+  double pieces = std::ceil(std::abs(sweep) / std::min(widest_step, step));
+  // A full turn in a multiple of four pieces keeps the symmetry of circles.
+  if (start == end) pieces = 4 * std::ceil(pieces / 4);
+  if (!(pieces <= finest_arc)) pieces = finest_arc;  // also NaN
+  for (double i = 1; i < pieces; ++i) {
+    const SinCos t = sin_cos(sweep * (i / pieces));
+    polyline.push_back(centre + t.cos * u + t.sin * axis);
+  }
+  polyline.push_back(end);
+}
+
+Direction direction_of_degrees(double degrees) {
+  const double turned = degrees - 360 * std::floor(degrees / 360);
+  if (turned == 0 || turned == 360) return {1, 0};
+  if (turned == 90) return {0, 1};
+  if (turned == 180) return {-1, 0};
+  if (turned == 270) return {0, -1};
+  const SinCos t = sin_cos(turned * (pi / 180));
+  return {t.cos, t.sin};
+}
+
+}  // namespace lpq

@@ -1,0 +1,109 @@
+// See domain_format.h.
+#include "io/domain/domain_format.h"
+
+#include <algorithm>
+
+#include "io/domain/dxf_domain.h"
+#include "io/domain/geojson_domain.h"
+#include "io/domain/json_domain.h"
+#include "io/domain/msh_domain.h"
+#include "io/domain/poly_domain.h"
+#include "io/domain/svg_domain.h"
+#include "io/mesh_text.h"
+#include "io/number.h"
+
+namespace lpq {
+namespace {
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c; }
+
+bool same_letters(std::string_view a, std::string_view b) {
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(),
+                                            [](char x, char y) { return lower(x) == lower(y); });
+}
+
+std::string_view ending_of(std::string_view file_name) {
+  const std::size_t dot = file_name.rfind('.');
+  return dot == std::string_view::npos ? std::string_view() : file_name.substr(dot + 1);
+}
+
+/// Two integers on the first line with words: a .poly file. One, and "SECTION" after it: DXF.
+std::optional<DomainFormat> format_by_lines(std::string_view text) {
+  LineReader lines(text);
+  Words words;
+  while (!lines.at_end()) {
+    words.split(lines.next());
+    if (words.size() == 0) continue;
+    std::int64_t value = 0;
+    if (!parse_integer(words[0], value)) return std::nullopt;
+    if (words.size() > 1)
+      return parse_integer(words[1], value) ? std::optional(DomainFormat::poly) : std::nullopt;
+    constexpr std::int64_t comment = 999;
+    if (value == comment) return DomainFormat::dxf;
+    words.split(lines.next());
+    if (value == 0 && words.size() == 1 && words[0] == "SECTION") return DomainFormat::dxf;
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<DomainFormat> domain_format_by_name(std::string_view short_name) {
+  for (const DomainFormatInfo& one : domain_formats)
+    if (same_letters(one.name, short_name)) return one.format;
+  return std::nullopt;
+}
+
+std::optional<DomainFormat> domain_format_by_ending(std::string_view file_name) {
+  return domain_format_by_name(ending_of(file_name));
+}
+
+std::optional<DomainFormat> domain_format_by_content(std::string_view text) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.substr(0, 3) == byte_order_mark) text.remove_prefix(3);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return std::nullopt;
+  const std::string_view rest = text.substr(first);
+  if (rest[0] == '{') return looks_like_geojson(rest) ? DomainFormat::geojson : DomainFormat::json;
+  if (rest[0] == '<') return DomainFormat::svg;
+  if (rest.substr(0, 11) == "$MeshFormat") return DomainFormat::msh;
+  if (rest.substr(0, 14) == "AutoCAD Binary") return DomainFormat::dxf;
+  return format_by_lines(text);
+}
+
+Result<DomainFile> read_domain(std::string_view text, DomainFormat format) {
+  switch (format) {
+    case DomainFormat::json: {
+      auto domain = parse_domain_json(text);
+      if (!domain) return domain.error();
+      return DomainFile{*std::move(domain), {}};
+    }
+    case DomainFormat::geojson: return read_geojson_domain(text);
+    case DomainFormat::svg: return read_svg_domain(text);
+    case DomainFormat::poly: return read_poly_domain(text);
+    case DomainFormat::msh: return read_msh_domain(text);
+    case DomainFormat::dxf: return read_dxf_domain(text);
+  }
+  return Error{};
+}
+
+Result<DomainFile> read_domain_file(std::string_view file_name, std::string_view text) {
+  if (same_letters(ending_of(file_name), "geo"))
+    return Error{ErrorCode::parse_error,
+                 "Gmsh's .geo scripts cannot be read. Mesh the curves with Gmsh (gmsh -1) and give "
+                 "the .msh file.",
+                 {}};
+  auto format = domain_format_by_ending(file_name);
+  if (!format || format == DomainFormat::json) {
+    const auto found = domain_format_by_content(text);
+    if (!format || found == DomainFormat::geojson) format = found;
+  }
+  if (format) return read_domain(text, *format);
+  return Error{
+      ErrorCode::parse_error,
+      "The format of the domain is not known. Name the file " + std::string(domain_endings) + ".",
+      {}};
+}
+
+}  // namespace lpq

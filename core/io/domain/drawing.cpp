@@ -1,0 +1,234 @@
+// See drawing.h.
+#include "io/domain/drawing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/number.h"
+
+namespace lpq {
+namespace {
+
+constexpr double rounding = 1e-9;  // of the drawing's size: nine digits agree
+constexpr std::size_t most_kinds = 20;
+
+std::string number_text(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
+void set_point(Where& where, Vec2 p) {
+  where.has_point = true;
+  where.x = p.x;
+  where.y = p.y;
+}
+
+std::vector<Vec2> points_of(const LineWork& lines, const Walk& walk) {
+  std::vector<Vec2> points;
+  points.reserve(walk.points.size());
+  for (const Index p : walk.points) points.push_back(lines.points[p]);
+  return points;
+}
+
+const std::string& tag_of(const Drawing& drawing, Index edge) {
+  return drawing.sources[drawing.lines.edges[edge].source].name;
+}
+
+/// Tags of a loop's edges, empty where no edge has one.
+std::vector<std::string> tags_of(const Drawing& drawing, const Walk& walk) {
+  const auto tagged = [&](Index e) { return !tag_of(drawing, e).empty(); };
+  if (std::none_of(walk.edges.begin(), walk.edges.end(), tagged)) return {};
+  std::vector<std::string> tags;
+  tags.reserve(walk.edges.size());
+  for (const Index e : walk.edges) tags.push_back(tag_of(drawing, e));
+  return tags;
+}
+
+/// In the direction in which it was drawn, so that points stay in the caller's order.
+void add_loop(const Drawing& drawing, Walk walk, DomainInput::Region& region) {
+  if (drawing.lines.edges[walk.edges.front()].a != walk.points.front()) {
+    std::reverse(walk.points.begin() + 1, walk.points.end());
+    std::reverse(walk.edges.begin(), walk.edges.end());
+  }
+  region.loops.push_back(points_of(drawing.lines, walk));
+  region.tags.push_back(tags_of(drawing, walk));
+}
+
+void warn(std::vector<Warning>& warnings, ErrorCode code, std::string message, Vec2 at) {
+  warnings.push_back({code, std::move(message), {}});
+  set_point(warnings.back().where, at);
+}
+
+std::vector<Index> degrees(const LineWork& lines) {
+  std::vector<Index> degree(lines.points.size(), 0);
+  for (const LineWork::Edge& edge : lines.edges) {
+    ++degree[edge.a];
+    ++degree[edge.b];
+  }
+  return degree;
+}
+
+/// The distance from point p to the nearest other loose end that is not the far end of its chain.
+double nearest_end(const Drawing& drawing, const std::vector<Index>& degree, Index p, Index own) {
+  double nearest = HUGE_VAL;
+  for (std::size_t i = 0; i < degree.size(); ++i) {
+    if (degree[i] != 1 || static_cast<Index>(i) == p || static_cast<Index>(i) == own) continue;
+    nearest = std::min(nearest, distance(drawing.lines.points[i], drawing.lines.points[p]));
+  }
+  return nearest;
+}
+
+}  // namespace
+
+Index Drawing::add_source(std::string_view name, std::int64_t line, std::int64_t byte) {
+  std::size_t size = std::min(name.size(), longest_name);
+  while (size > 0 && size < name.size() && (name[size] & 0xC0) == 0x80) --size;
+  sources.push_back({std::string(name.substr(0, size)), line, byte});
+  return static_cast<Index>(sources.size()) - 1;
+}
+
+double drawing_size(const LineWork& lines) {
+  if (lines.points.empty()) return 0;
+  Vec2 lo = lines.points[0], hi = lo;
+  for (const Vec2 p : lines.points) {
+    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
+    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
+  }
+  return std::max(hi.x - lo.x, hi.y - lo.y);
+}
+
+Result<int> join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
+                         std::vector<Warning>& warnings) {
+  if (is_too_many(drawing.lines, bytes))
+    return Error{ErrorCode::too_large, "The curves of this drawing have too many corners.", {}};
+  for (const LineWork::Edge& edge : drawing.lines.edges) {
+    if (is_finite(drawing.lines.points[edge.a]) && is_finite(drawing.lines.points[edge.b]))
+      continue;
+    const Drawing::Source& source = drawing.sources[edge.source];
+    Error error{ErrorCode::non_finite, "A coordinate is too large for a double.", {}};
+    error.where.line = source.line;
+    error.where.byte = source.byte;
+    return error;
+  }
+  const double size = drawing_size(drawing.lines);
+  const Joined joined = join_points(drawing.lines, tolerance);
+  if (joined.farthest > rounding * size)
+    warn(warnings, ErrorCode::duplicate_point,
+         "Points within " + number_text(tolerance) + " of each other were made one: " +
+             std::to_string(joined.moved) + ", at most " + number_text(joined.farthest) + " apart.",
+         joined.moved_at);
+  if (joined.doubled > 0)
+    warn(warnings, ErrorCode::overlapping_edges,
+         "Edges drawn more than once were taken once: " + std::to_string(joined.doubled) + ".",
+         joined.doubled_at);
+  return 0;
+}
+
+NestedFaces nest_faces(const LineWork& lines, std::span<const Vec2> probes) {
+  NestedFaces nested;
+  nested.planar = find_faces(lines);
+  std::vector<std::vector<Vec2>> loops;
+  for (const Walk& face : nested.planar.faces) loops.push_back(points_of(lines, face));
+  std::vector<Vec2> all;
+  for (const Walk& chain : nested.planar.chains)
+    all.push_back(midpoint(lines.points[chain.points[0]], lines.points[chain.points[1]]));
+  all.insert(all.end(), probes.begin(), probes.end());
+  nested.tree = nest_loops(loops, all);
+  return nested;
+}
+
+std::vector<char> even_faces(const NestedFaces& nested) {
+  std::vector<char> filled;
+  for (const Index depth : nested.tree.depth) filled.push_back(depth % 2 == 0);
+  return filled;
+}
+
+Index add_regions(const Drawing& drawing, const NestedFaces& nested,
+                  const std::vector<char>& filled, const std::function<std::string(Index)>& name,
+                  DomainInput& input) {
+  const PlanarFaces& planar = nested.planar;
+  std::vector<Index> region_of(planar.faces.size(), none),
+      parent(drawing.lines.points.size(), none);
+  for (std::size_t f = 0; f < planar.faces.size(); ++f) {
+    parent[planar.faces[f].component] = nested.tree.parent[f];
+    if (!filled[f]) continue;
+    region_of[f] = static_cast<Index>(input.regions.size());
+    input.regions.emplace_back();
+    if (name) input.regions.back().name = name(static_cast<Index>(f));
+    add_loop(drawing, planar.faces[f], input.regions.back());
+  }
+  for (const Walk& outer : planar.outers) {
+    const Index around = parent[outer.component];
+    if (around == none || !filled[around]) continue;
+    add_loop(drawing, outer, input.regions[region_of[around]]);
+  }
+  Index left_out = 0;
+  for (std::size_t c = 0; c < planar.chains.size(); ++c) {
+    const Index around = nested.around_chain(c);
+    if (around == none || !filled[around]) {
+      ++left_out;
+      continue;
+    }
+    const Walk& chain = planar.chains[c];
+    input.polylines.push_back(
+        {points_of(drawing.lines, chain), tag_of(drawing, chain.edges.front())});
+  }
+  return left_out;
+}
+
+std::string common_name(const Drawing& drawing, const Walk& walk) {
+  const std::string& name = tag_of(drawing, walk.edges.front());
+  for (const Index e : walk.edges)
+    if (tag_of(drawing, e) != name) return {};
+  return name;
+}
+
+Error open_chain_error(const Drawing& drawing, const NestedFaces& nested, double tolerance) {
+  const std::vector<Index> degree = degrees(drawing.lines);
+  const Walk* open = nullptr;
+  bool at_end = false;
+  for (const Walk& chain : nested.planar.chains) {
+    at_end = degree[chain.points.front()] != 1;
+    if (at_end && degree[chain.points.back()] != 1) continue;
+    open = &chain;
+    break;
+  }
+  if (open == nullptr) open = &nested.planar.chains.front();  // a bridge between closed outlines
+  const Index p = at_end ? open->points.back() : open->points.front();
+  const Index own = at_end ? open->points.front() : open->points.back();
+  const Vec2 at = drawing.lines.points[p];
+  std::string message = "The outline is open at (" + number_text(at.x) + ", " + number_text(at.y) +
+                        "): nothing else ends within " + number_text(tolerance) + " of it";
+  const double nearest = nearest_end(drawing, degree, p, own);
+  if (nearest < HUGE_VAL)
+    message += "; the nearest other open end is " + number_text(nearest) + " away";
+  const LineWork::Edge& edge =
+      drawing.lines.edges[at_end ? open->edges.back() : open->edges.front()];
+  Error error{ErrorCode::parse_error, message + ". Close it in the drawing.", {}};
+  error.where.line = drawing.sources[edge.source].line;
+  error.where.byte = drawing.sources[edge.source].byte;
+  set_point(error.where, at);
+  return error;
+}
+
+void Counter::add(std::string_view name) {
+  name = name.substr(0, 40);
+  for (auto& [known, count] : counts_) {
+    if (known != name && known != "other things") continue;
+    ++count;
+    return;
+  }
+  counts_.emplace_back(counts_.size() < most_kinds ? std::string(name) : "other things", 1);
+}
+
+std::string Counter::text() const {
+  std::string text;
+  for (std::size_t i = 0; i < counts_.size(); ++i) {
+    if (i > 0) text += i + 1 == counts_.size() ? " and " : ", ";
+    text += std::to_string(counts_[i].second) + " " + counts_[i].first;
+  }
+  return text;
+}
+
+}  // namespace lpq

@@ -1,0 +1,24 @@
+// Domains from DXF, ASCII, any release (Autodesk, DXF Reference).
+// Outlines are the LINE, ARC, CIRCLE, ELLIPSE, SPLINE, LWPOLYLINE and POLYLINE entities of model
+// space (of paper space if model space has none), joined where they meet: points of open pieces
+// that are nearer than 1e-5 of the drawing's size to another one become one (a warning says so
+// beyond rounding). Everything must close. The even-odd rule says what is material, as in
+// svg_domain.h; lines that divide an outline make neighbouring regions. A layer other than "0"
+// becomes the tag of its edges, and the name of a region whose outline it holds alone. Coordinates
+// are taken as they are: $INSUNITS is ignored, and z. Other entities (INSERT, TEXT, DIMENSION,
+// HATCH ...) are counted in a warning; blocks are not inserted.
+#pragma once
+
+#include <string_view>
+
+#include "base/result.h"
+#include "io/domain/domain_file.h"
+
+namespace lpq {
+
+/// Curves become polylines within 2e-4 of the drawing's size. Errors: parse_error (also an open
+/// outline, with the point where it is open), non_finite, empty, with line and byte;
+/// too_large where curves have more corners than the text has bytes (and more than a million).
+Result<DomainFile> read_dxf_domain(std::string_view text);
+
+}  // namespace lpq

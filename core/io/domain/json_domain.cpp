@@ -1,0 +1,339 @@
+// A push reader (SAX) over nlohmann-json: every JSON value gets a role from its parent's role and
+// its key, and a role accepts certain kinds of value only. So a wrong kind anywhere is one error in
+// one place, with the path of the value, and nothing is stored that is not part of the domain.
+#include "io/domain/json_domain.h"
+
+#include <utility>
+
+#include "io/json_text.h"
+
+namespace lpq {
+namespace {
+
+enum class Role {
+  document,
+  ignored,
+  loop_list,
+  loop,
+  coordinates,
+  coordinate,
+  region_list,
+  region,
+  tag_table,
+  tag_list,
+  polyline_list,
+  polyline,
+  point_list,
+  point,
+  position,
+  size,
+  name,
+};
+enum class Kind { object, array, number, string, other };
+
+/// The role of a member `key` of an object, or of an element of an array (key empty).
+Role child_role(Role parent, const std::string& key) {
+  switch (parent) {
+    case Role::document:
+      if (key == "loops") return Role::loop_list;
+      if (key == "regions") return Role::region_list;
+      if (key == "polylines") return Role::polyline_list;
+      if (key == "points") return Role::point_list;
+      if (key == "h") return Role::size;
+      return Role::ignored;
+    case Role::region:
+      if (key == "name") return Role::name;
+      if (key == "loops") return Role::loop_list;
+      if (key == "tags") return Role::tag_table;
+      return Role::ignored;
+    case Role::polyline:
+      if (key == "points") return Role::loop;
+      if (key == "tag") return Role::name;
+      return Role::ignored;
+    case Role::point:
+      if (key == "position") return Role::position;
+      if (key == "tag") return Role::name;
+      return Role::ignored;
+    case Role::loop_list: return Role::loop;
+    case Role::loop: return Role::coordinates;
+    case Role::coordinates:
+    case Role::position: return Role::coordinate;
+    case Role::region_list: return Role::region;
+    case Role::tag_table: return Role::tag_list;
+    case Role::tag_list: return Role::name;
+    case Role::polyline_list: return Role::polyline;
+    case Role::point_list: return Role::point;
+    default: return Role::ignored;
+  }
+}
+
+/// What the role accepts; null is "absent" for names, sizes and lists of tags.
+const char* expected(Role role, Kind kind) {
+  const auto unless = [kind](Kind wanted, const char* text) {
+    return kind == wanted ? nullptr : text;
+  };
+  switch (role) {
+    case Role::document: return unless(Kind::object, "an object with \"loops\" or \"regions\"");
+    case Role::region: return unless(Kind::object, "an object with \"loops\"");
+    case Role::polyline: return unless(Kind::object, "an object with \"points\"");
+    case Role::point:
+      return kind == Kind::array ? nullptr
+                                 : unless(Kind::object, "[x, y] or an object with \"position\"");
+    case Role::coordinates:
+    case Role::position: return unless(Kind::array, "a point [x, y]");
+    case Role::loop_list:
+    case Role::loop:
+    case Role::region_list:
+    case Role::tag_table:
+    case Role::tag_list:
+    case Role::polyline_list:
+    case Role::point_list: return unless(Kind::array, "an array");
+    case Role::coordinate:
+    case Role::size: return unless(Kind::number, "a number");
+    case Role::name: return unless(Kind::string, "a string");
+    case Role::ignored: return nullptr;
+  }
+  return nullptr;
+}
+
+class Reader final : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  explicit Reader(JsonText& text) : text_(text) {}
+
+  bool run() { return text_.parse(*this); }
+  Result<DomainInput> take() {
+    if (failed_) return error_;
+    if (!has_loops_ && !has_regions_)
+      return fail_value(ErrorCode::parse_error,
+                        "The document has neither \"loops\" nor \"regions\".");
+    if (has_loops_ && has_regions_)
+      return fail_value(ErrorCode::parse_error,
+                        "The document has both \"loops\" and \"regions\"; give one of them.");
+    return std::move(input_);
+  }
+  void fail(ErrorCode code, std::string message) { fail_value(code, std::move(message)); }
+  bool failed() const { return failed_; }
+
+  bool null() override { return scalar(Kind::other, "null"); }
+  bool boolean(bool) override { return scalar(Kind::other, "a boolean"); }
+  bool binary(binary_t&) override { return scalar(Kind::other, "binary data"); }
+  bool number_integer(number_integer_t value) override {
+    return number(static_cast<double>(value));
+  }
+  bool number_unsigned(number_unsigned_t value) override {
+    return number(static_cast<double>(value));
+  }
+  bool number_float(number_float_t value, const string_t&) override { return number(value); }
+  bool string(string_t& value) override;
+  bool start_object(std::size_t) override { return open(Kind::object); }
+  bool start_array(std::size_t) override { return open(Kind::array); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool key(string_t& value) override {
+    frames_.back().key = std::move(value);
+    return true;
+  }
+  bool parse_error(std::size_t position, const std::string& token,
+                   const nlohmann::detail::exception& problem) override;
+
+ private:
+  struct Frame {
+    Role role;
+    bool is_array;
+    std::string key;        // of the member being read
+    std::size_t count = 0;  // elements begun
+  };
+
+  Role next_role() const;
+  bool begin_value(Kind kind, const char* found);
+  bool scalar(Kind kind, const char* found) { return begin_value(kind, found); }
+  bool number(double value);
+  bool open(Kind kind);
+  bool close();
+  void create(Role role);
+  std::string path() const;
+  Error fail_value(ErrorCode code, std::string message);
+
+  JsonText& text_;
+  std::vector<Frame> frames_;
+  DomainInput input_;
+  bool has_loops_ = false, has_regions_ = false, failed_ = false;
+  bool has_position_ = false;  // of the point being read
+  double xy_[2] = {0, 0};
+  Error error_;
+};
+
+Role Reader::next_role() const {
+  if (frames_.empty()) return Role::document;
+  const Frame& frame = frames_.back();
+  // A point of the mesh may be written [x, y] instead of {"position": [x, y]}.
+  if (frame.role == Role::point && frame.is_array) return Role::coordinate;
+  return child_role(frame.role, frame.key);
+}
+
+bool Reader::begin_value(Kind kind, const char* found) {
+  const Role role = next_role();
+  if (!frames_.empty()) ++frames_.back().count;
+  if (const char* wanted = expected(role, kind)) {
+    fail(ErrorCode::parse_error,
+         path() + " should be " + wanted + ", but it is " + std::string(found) + ".");
+    return false;
+  }
+  return true;
+}
+
+bool Reader::number(double value) {
+  const Role role = next_role();
+  if (!begin_value(Kind::number, "a number")) return false;
+  if (role == Role::size) input_.h = value;
+  if (role != Role::coordinate) return true;
+  const std::size_t axis = frames_.back().count - 1;
+  if (axis > 1) {
+    fail(ErrorCode::parse_error, path() + " is a third coordinate; a point is [x, y].");
+    return false;
+  }
+  xy_[axis] = value;
+  return true;
+}
+
+bool Reader::string(string_t& value) {
+  const Role role = next_role();
+  const bool bare = value.empty() && text_.is_bare_literal();
+  if (bare && expected(role, Kind::number) == nullptr && role != Role::ignored) {
+    ++frames_.back().count;
+    fail(ErrorCode::non_finite, path() + " is NaN or infinite; coordinates are finite numbers.");
+    return false;
+  }
+  if (!begin_value(bare ? Kind::other : Kind::string, bare ? "NaN or infinite" : "a string"))
+    return false;
+  if (role != Role::name) return true;
+  switch (frames_.back().role) {
+    case Role::region: input_.regions.back().name = std::move(value); break;
+    case Role::tag_list: input_.regions.back().tags.back().push_back(std::move(value)); break;
+    case Role::polyline: input_.polylines.back().tag = std::move(value); break;
+    case Role::point: input_.points.back().tag = std::move(value); break;
+    default: break;
+  }
+  return true;
+}
+
+bool Reader::open(Kind kind) {
+  const Role role = next_role();
+  if (!begin_value(kind, kind == Kind::object ? "an object" : "an array")) return false;
+  if (frames_.size() >= json_max_depth) {
+    fail(ErrorCode::parse_error, path() + " is nested too deeply.");
+    return false;
+  }
+  create(role);
+  frames_.push_back({role, kind == Kind::array, {}, 0});
+  return true;
+}
+
+void Reader::create(Role role) {
+  switch (role) {
+    case Role::loop_list:
+      if (frames_.back().role != Role::document) {
+        input_.regions.back().loops.clear();
+        break;
+      }
+      has_loops_ = true;
+      if (input_.regions.empty()) input_.regions.emplace_back();
+      input_.regions.back().loops.clear();
+      break;
+    case Role::region_list: has_regions_ = true; break;
+    case Role::region: input_.regions.emplace_back(); break;
+    case Role::loop:
+      if (frames_.back().role == Role::polyline) {
+        input_.polylines.back().points.clear();
+      } else {
+        input_.regions.back().loops.emplace_back();
+      }
+      break;
+    case Role::tag_table: input_.regions.back().tags.clear(); break;
+    case Role::tag_list: input_.regions.back().tags.emplace_back(); break;
+    case Role::polyline: input_.polylines.emplace_back(); break;
+    case Role::point:
+      input_.points.emplace_back();
+      has_position_ = false;
+      break;
+    case Role::position: has_position_ = true; break;
+    default: break;
+  }
+}
+
+bool Reader::close() {
+  const Frame frame = std::move(frames_.back());
+  if (frame.role == Role::point && !frame.is_array && !has_position_) {
+    fail(ErrorCode::parse_error, "A point is missing its \"position\": [x, y].");
+    return false;
+  }
+  const bool is_point =
+      frame.is_array && (frame.role == Role::coordinates || frame.role == Role::position ||
+                         frame.role == Role::point);
+  frames_.pop_back();
+  if (!is_point) return true;
+  if (frame.count != 2) {
+    fail(ErrorCode::parse_error, path() + " should be a point [x, y], but it has " +
+                                     std::to_string(frame.count) + " coordinates.");
+    return false;
+  }
+  const Vec2 point{xy_[0], xy_[1]};
+  if (frame.role != Role::coordinates) {
+    input_.points.back().position = point;
+  } else if (frames_[frames_.size() - 2].role == Role::polyline) {
+    input_.polylines.back().points.push_back(point);
+  } else {
+    input_.regions.back().loops.back().push_back(point);
+  }
+  return true;
+}
+
+bool Reader::parse_error(std::size_t, const std::string& token,
+                         const nlohmann::detail::exception& problem) {
+  if (failed_) return false;
+  if (!frames_.empty() && frames_.back().is_array) ++frames_.back().count;
+  if (problem.id == json_number_overflow) {
+    fail(ErrorCode::non_finite,
+         path() + " is too large for a double: " + token.substr(0, 40) + ".");
+  } else if (text_.at_end() && !frames_.empty()) {
+    fail(ErrorCode::parse_error, "This is not valid JSON: the text ends within " + path() + ".");
+  } else {
+    fail(ErrorCode::parse_error, "This is not valid JSON: unexpected text at " + path() + ".");
+  }
+  return false;
+}
+
+std::string Reader::path() const {
+  std::string result;
+  for (const Frame& frame : frames_) {
+    if (frame.is_array) {
+      result += '[';
+      result += std::to_string(frame.count == 0 ? 0 : frame.count - 1);
+      result += ']';
+    } else if (!frame.key.empty()) {
+      if (!result.empty()) result += '.';
+      result += frame.key.substr(0, 40);
+    }
+  }
+  return result.empty() ? "The document" : result;
+}
+
+Error Reader::fail_value(ErrorCode code, std::string message) {
+  error_ = text_.error(code, std::move(message));
+  failed_ = true;
+  return error_;
+}
+
+}  // namespace
+
+Result<DomainInput> parse_domain_json(std::string_view text) {
+  if (text.size() > json_max_text)
+    return Error{ErrorCode::too_large, "The JSON text is larger than 1 GiB.", {}};
+  JsonText json(text);
+  Reader reader(json);
+  const bool complete = reader.run();
+  if (!complete && !reader.failed()) reader.fail(ErrorCode::parse_error, "This is not valid JSON.");
+  return reader.take();
+}
+
+}  // namespace lpq

@@ -1,0 +1,73 @@
+// Writes what json_domain.cpp reads.
+#include "io/domain/json_domain.h"
+#include "io/json_write.h"
+
+namespace lpq {
+namespace {
+
+void append_points(JsonWriter& json, std::string_view name, const std::vector<Vec2>& points) {
+  if (!name.empty()) json.key(name);
+  json.begin_array();
+  for (const Vec2 p : points) json.tuple(p.x, p.y);
+  json.end_array();
+}
+
+void append_region(JsonWriter& json, const DomainInput::Region& region) {
+  json.begin_object();
+  json.member("name", region.name);
+  json.key("loops");
+  json.begin_array();
+  for (const Loop& loop : region.loops) {
+    append_points(json, {}, loop);
+    json.new_line();
+  }
+  json.end_array();
+  if (!region.tags.empty()) {
+    json.key("tags");
+    json.begin_array();
+    for (const auto& tags : region.tags) {
+      json.begin_array();
+      for (const std::string& tag : tags) json.value(tag);
+      json.end_array();
+    }
+    json.end_array();
+  }
+  json.end_object();
+}
+
+}  // namespace
+
+std::string write_domain_json(const DomainInput& domain) {
+  std::string out;
+  JsonWriter json(out);
+  json.begin_object();
+  json.key("regions");
+  json.begin_array();
+  for (const DomainInput::Region& region : domain.regions) append_region(json, region);
+  json.end_array();
+  json.key("polylines");
+  json.begin_array();
+  for (const DomainInput::Polyline& line : domain.polylines) {
+    json.begin_object();
+    append_points(json, "points", line.points);
+    json.member("tag", line.tag);
+    json.end_object();
+  }
+  json.end_array();
+  json.key("points");
+  json.begin_array();
+  for (const DomainInput::Point& point : domain.points) {
+    json.begin_object();
+    json.key("position");
+    json.tuple(point.position.x, point.position.y);
+    json.member("tag", point.tag);
+    json.end_object();
+  }
+  json.end_array();
+  if (domain.h > 0) json.member("h", domain.h);
+  json.end_object();
+  out += '\n';
+  return out;
+}
+
+}  // namespace lpq

@@ -1,0 +1,26 @@
+// Domains from SVG (W3C, Scalable Vector Graphics 1.1, second edition, and SVG 2).
+// Outlines are the closed subpaths of <path>, <rect>, <circle>, <ellipse> and <polygon>, and of
+// <polyline> and open paths where filling closes them; the fill itself is not looked at otherwise.
+// All outlines together follow the even-odd rule: within an outline is material, within the next
+// one a hole, within that an island. Open pieces that are not filled (fill none, <line>) are joined
+// at their ends; what closes is an outline, what stays open inside becomes a polyline.
+// An element's id becomes the name of its region and the tag of its edges.
+// y points up in a mesh: every y is negated, after all transforms. viewBox, width, height and units
+// of the page are ignored: coordinates are the drawing's own ("user units").
+// Left out without a word: <defs>, <symbol>, <clipPath>, <mask>, <pattern>, <marker> and display
+// none; with a warning: <use>, <text>, <image>. Style sheets (<style>) are not read.
+#pragma once
+
+#include <string_view>
+
+#include "base/result.h"
+#include "io/domain/domain_file.h"
+
+namespace lpq {
+
+/// Curves become polylines within 2e-4 of the drawing's size. Errors: parse_error, non_finite,
+/// empty, with line and byte; too_large where curves have more corners than the text has bytes
+/// (and more than a million).
+Result<DomainFile> read_svg_domain(std::string_view text);
+
+}  // namespace lpq

@@ -1,0 +1,96 @@
+// See mesh_format.h.
+#include "io/mesh/mesh_format.h"
+
+#include <algorithm>
+
+#include "io/mesh/bdf.h"
+#include "io/mesh/geojson.h"
+#include "io/mesh/mesh_json.h"
+#include "io/mesh/obj.h"
+#include "io/mesh/ply.h"
+#include "io/mesh/su2.h"
+#include "io/mesh/vtk.h"
+#include "io/mesh/vtu.h"
+#include "io/picture/svg.h"
+
+namespace lpq {
+namespace {
+
+/// Calls visit(ending, format) in the order of the table until it returns true.
+template <class Visit>
+void each_ending(Visit&& visit) {
+  for (const MeshFormatInfo& info : mesh_formats) {
+    std::string_view rest = info.endings;
+    while (!rest.empty()) {
+      const std::string_view ending = rest.substr(0, rest.find(' '));
+      if (visit(ending, info.format)) return;
+      rest.remove_prefix(std::min(rest.size(), ending.size() + 1));
+    }
+  }
+}
+
+bool ends_with(std::string_view text, std::string_view ending) {
+  if (text.size() < ending.size()) return false;
+  text.remove_prefix(text.size() - ending.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if ((c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c) != ending[i]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string mesh_endings() {
+  std::string text;
+  std::size_t last_comma = 0;
+  each_ending([&](std::string_view ending, MeshFormat) {
+    if (!text.empty()) {
+      last_comma = text.size();
+      text += ", ";
+    }
+    text += ending;
+    return false;
+  });
+  return text.replace(last_comma, 1, " or");
+}
+
+std::optional<MeshFormat> mesh_format(std::string_view file_name) {
+  std::optional<MeshFormat> found;
+  each_ending([&](std::string_view ending, MeshFormat format) {
+    if (ends_with(file_name, ending)) found = format;
+    return found.has_value();
+  });
+  return found;
+}
+
+std::optional<MeshFormat> mesh_format_by_name(std::string_view name) {
+  for (const MeshFormatInfo& info : mesh_formats)
+    if (info.name == name) return info.format;
+  return std::nullopt;
+}
+
+std::string write_mesh(const OutputMesh& mesh, MeshFormat format, const MeshWriteOptions& options) {
+  switch (format) {
+    case MeshFormat::obj: return write_obj(mesh);
+    case MeshFormat::msh: return write_msh(mesh, options.msh_version);
+    case MeshFormat::vtu: return write_vtu(mesh);
+    case MeshFormat::vtk: return write_vtk(mesh);
+    case MeshFormat::inp: return write_inp(mesh, options.inp_element);
+    case MeshFormat::su2: return write_su2(mesh);
+    case MeshFormat::bdf: return write_bdf(mesh);
+    case MeshFormat::ply: return write_ply(mesh);
+    case MeshFormat::geojson: return write_geojson(mesh);
+    case MeshFormat::svg: return draw_quads(mesh);
+    case MeshFormat::json: return write_mesh_json(mesh);
+  }
+  return {};
+}
+
+Result<OutputMesh> read_mesh(std::string_view text, MeshFormat format) {
+  if (format == MeshFormat::obj) return read_obj(text);
+  if (format == MeshFormat::msh) return read_msh(text);
+  return Error{ErrorCode::parse_error, "Only .obj and .msh meshes can be read back.", {}};
+}
+
+}  // namespace lpq

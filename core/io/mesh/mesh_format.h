@@ -1,0 +1,67 @@
+// Mesh files by the ending of their names.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "io/mesh/inp.h"
+#include "io/mesh/msh.h"
+#include "mesh/output_mesh.h"
+
+namespace lpq {
+
+enum class MeshFormat { obj, msh, vtu, vtk, inp, su2, bdf, ply, geojson, svg, json };
+
+struct MeshFormatInfo {
+  MeshFormat format;
+  std::string_view name;     // for bindings: mesh_format_by_name
+  std::string_view endings;  // of file names, the usual one first, separated by blanks
+  std::string_view program;  // who reads it
+};
+
+/// Every format that can be written; help texts and error messages come from here.
+inline constexpr std::array<MeshFormatInfo, 11> mesh_formats{
+    {{MeshFormat::obj, "obj", ".obj", "Wavefront"},
+     {MeshFormat::msh, "msh", ".msh", "Gmsh"},
+     {MeshFormat::vtu, "vtu", ".vtu", "VTK XML"},
+     {MeshFormat::vtk, "vtk", ".vtk", "VTK legacy"},
+     {MeshFormat::inp, "inp", ".inp", "Abaqus, CalculiX"},
+     {MeshFormat::su2, "su2", ".su2", "SU2"},
+     {MeshFormat::bdf, "bdf", ".bdf .nas", "Nastran"},
+     {MeshFormat::ply, "ply", ".ply", "Stanford PLY"},
+     {MeshFormat::geojson, "geojson", ".geojson", "GeoJSON"},
+     {MeshFormat::svg, "svg", ".svg", "a picture"},
+     {MeshFormat::json, "json", ".json", "plain arrays"}}};
+
+/// ".obj, .msh, ... or .json"
+std::string mesh_endings();
+
+/// By the file name's ending, upper or lower case.
+std::optional<MeshFormat> mesh_format(std::string_view file_name);
+/// By MeshFormatInfo::name, lower case.
+std::optional<MeshFormat> mesh_format_by_name(std::string_view name);
+
+struct MeshWriteOptions {
+  MshVersion msh_version = MshVersion::v4_1;
+  InpElement inp_element = InpElement::cps4;
+};
+
+template <class O, class F>
+requires std::is_same_v<std::remove_const_t<O>, MeshWriteOptions>
+void each_field(O& o, F&& visit) {
+  visit("mshVersion", o.msh_version, FieldInfo{0, 0, "", "Version of .msh files."});
+  visit("inpElement", o.inp_element,
+        FieldInfo{0, 0, "",
+                  "Elements of .inp files: plane stress, plane strain, axisymmetric or shell."});
+}
+
+std::string write_mesh(const OutputMesh& mesh, MeshFormat format,
+                       const MeshWriteOptions& options = {});
+
+/// .obj and .msh only; the others give a parse_error that says so.
+Result<OutputMesh> read_mesh(std::string_view text, MeshFormat format);
+
+}  // namespace lpq

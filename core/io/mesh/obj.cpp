@@ -1,0 +1,143 @@
+// See obj.h.
+#include "io/mesh/obj.h"
+
+#include <algorithm>
+
+#include "io/escape.h"
+#include "io/mesh_text.h"
+#include "io/number.h"
+
+namespace lpq {
+namespace {
+
+void append_vertices(std::string& out, const std::vector<Vec2>& points) {
+  for (const Vec2 p : points) {
+    out += "v ";
+    append_number(out, p.x);
+    out += ' ';
+    append_number(out, p.y);
+    out += " 0\n";
+  }
+}
+
+template <std::size_t N>
+void append_face(std::string& out, const std::array<Index, N>& face) {
+  out += 'f';
+  for (const Index v : face) {
+    if (v == none) break;
+    out += ' ';
+    append_integer(out, std::int64_t{v} + 1);
+  }
+  out += '\n';
+}
+
+}  // namespace
+
+std::string write_obj(const OutputMesh& mesh) {
+  std::string out = "# lpquad\n";
+  append_vertices(out, mesh.points);
+  // Faces keep their order: a new `g` line wherever the region changes.
+  Index group = none;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (mesh.regions.size() > 1 && mesh.region[f] != group) {
+      group = mesh.region[f];
+      out += "g ";
+      append_obj_name(out, region_label(mesh, group));
+      out += '\n';
+    }
+    append_face(out, mesh.faces[f]);
+  }
+  return out;
+}
+
+std::string write_obj(const TriMesh& mesh) {
+  std::string out = "# lpquad\n";
+  append_vertices(out, mesh.points);
+  for (const Tri& triangle : mesh.triangles) append_face(out, triangle);
+  return out;
+}
+
+namespace {
+
+class ObjReader {
+ public:
+  explicit ObjReader(std::string_view text) : lines_(text) {}
+
+  Result<OutputMesh> read() {
+    while (!lines_.at_end() && !failed_) {
+      words_.split(lines_.next());
+      if (words_.size() == 0) continue;
+      if (words_[0] == "v") {
+        read_vertex();
+      } else if (words_[0] == "f") {
+        read_face();
+      } else if (words_[0] == "g") {
+        read_group();
+      }
+    }
+    if (failed_) return error_;
+    if (mesh_.faces.empty()) return lines_.error("The file has no face (no line 'f ...').");
+    if (mesh_.regions.empty()) mesh_.regions.emplace_back();
+    drop_unused_points(mesh_);
+    return std::move(mesh_);
+  }
+
+ private:
+  void fail(std::string message) {
+    failed_ = true;
+    error_ = lines_.error(std::move(message));
+  }
+
+  void read_vertex() {
+    Vec2 p;
+    double z = 0;
+    if (words_.size() < 3 || !parse_number(words_[1], p.x) || !parse_number(words_[2], p.y) ||
+        (words_.size() > 3 && !parse_number(words_[3], z))) {
+      return fail("A vertex needs two or three finite numbers: 'v x y 0'.");
+    }
+    if (z != 0) return fail("A vertex has z different from 0; only plane meshes can be read.");
+    mesh_.points.push_back(p);
+  }
+
+  void read_face() {
+    const std::size_t corners = words_.size() - 1;
+    if (corners != 3 && corners != 4) return fail("A face must have three or four corners.");
+    Face face{none, none, none, none};
+    const auto count = static_cast<std::int64_t>(mesh_.points.size());
+    for (std::size_t k = 0; k < corners; ++k) {
+      const std::string_view word = words_[k + 1];
+      std::int64_t index = 0;
+      if (!parse_integer(word.substr(0, word.find('/')), index)) {
+        return fail("A face corner must be a vertex number.");
+      }
+      index = index > 0 ? index - 1 : count + index;
+      if (index < 0 || index >= count) return fail("A face names a vertex that is not there.");
+      face[k] = static_cast<Index>(index);
+    }
+    if (mesh_.regions.empty()) mesh_.regions.emplace_back();
+    mesh_.faces.push_back(face);
+    mesh_.region.push_back(group_);
+  }
+
+  void read_group() {
+    const std::string name(words_.size() > 1 ? words_[1] : std::string_view());
+    const auto found = std::find(mesh_.regions.begin(), mesh_.regions.end(), name);
+    group_ = static_cast<Index>(found - mesh_.regions.begin());
+    if (found != mesh_.regions.end()) return;
+    if (mesh_.regions.size() >= max_names) return fail("The file has too many groups.");
+    mesh_.regions.push_back(name);
+  }
+
+  LineReader lines_;
+  Words words_;
+  OutputMesh mesh_;
+  Index group_ = 0;
+  bool failed_ = false;
+  Error error_;
+};
+
+}  // namespace
+
+Result<OutputMesh> read_obj(std::string_view text) { return ObjReader(text).read(); }
+
+}  // namespace lpq

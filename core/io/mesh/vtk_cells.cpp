@@ -1,0 +1,33 @@
+// See vtk_cells.h.
+#include "io/mesh/vtk_cells.h"
+
+#include "io/number.h"
+
+namespace lpq {
+
+std::size_t vtk_names_size(const std::vector<std::string>& names) {
+  std::size_t size = names.size();
+  for (const std::string& name : names) size += name.size();
+  return size;
+}
+
+void append_vtk_names(std::string& out, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    for (const char c : name) {
+      append_integer(out, static_cast<unsigned char>(c == 0 ? '?' : c));
+      out += ' ';
+    }
+    out += "0\n";
+  }
+}
+
+void append_vtk_points(std::string& out, const OutputMesh& mesh) {
+  for (const Vec2 p : mesh.points) {
+    append_number(out, p.x);
+    out += ' ';
+    append_number(out, p.y);
+    out += " 0\n";
+  }
+}
+
+}  // namespace lpq
