@@ -4,11 +4,9 @@
 #include <emscripten/bind.h>
 
 #include <memory>
-#include <new>
 
 #include "io/describe.h"
 #include "io/domain/domain_format.h"
-#include "io/domain/json_domain.h"
 #include "io/error_text.h"
 #include "io/mesh/mesh_format.h"
 #include "io/report.h"
@@ -19,18 +17,6 @@
 
 namespace lpq {
 namespace {
-
-/// Running out of memory ends the call, not the instance: everything it held is freed on the way.
-template <class Work>
-val guarded(Work&& work) {
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    return failure({ErrorCode::out_of_memory,
-                    "There is not enough memory for this mesh. Use a larger size.",
-                    {}});
-  }
-}
 
 /// {sizes: Float64Array x, y, h, ..; size, angle: functions of (x, y)}, each optional.
 UserFields fields_from(const val& fields) {
@@ -72,12 +58,6 @@ val mesh_packed_domain(const val& packed, const val& option_object, const val& f
   });
 }
 
-val text_result(const std::string& text) {
-  val result = val::object();
-  result.set("text", text);
-  return result;
-}
-
 val write_mesh_text(const val& mesh_object, const std::string& format, const val& option_object) {
   return guarded([&] {
     const auto mesh = mesh_from(mesh_object);
@@ -88,24 +68,6 @@ val write_mesh_text(const val& mesh_object, const std::string& format, const val
     if (!known)
       return failure({ErrorCode::bad_option, "There is no mesh format '" + format + "'.", {}});
     return text_result(write_mesh(*mesh, *known, *options));
-  });
-}
-
-/// By the short name of a format, or else by the file's name and content.
-Result<DomainFile> read_any(const std::string& text, const std::string& format,
-                            const std::string& name) {
-  if (format.empty()) return read_domain_file(name, text);
-  if (const auto known = domain_format_by_name(format)) return read_domain(text, *known);
-  return Error{ErrorCode::bad_option, "There is no domain format '" + format + "'.", {}};
-}
-
-val read_domain_text(const std::string& text, const std::string& format, const std::string& name) {
-  return guarded([&] {
-    const auto file = read_any(text, format, name);
-    if (!file) return failure(file.error());
-    val result = text_result(write_domain_json(file->domain));
-    result.set("warnings", errors_json(file->warnings));
-    return result;
   });
 }
 
@@ -233,7 +195,6 @@ EMSCRIPTEN_BINDINGS(lpquad) {
   function("meshDomain", &mesh_packed_domain);
   function("start", &start_session);
   function("writeMesh", &write_mesh_text);
-  function("readDomain", &read_domain_text);
   function("describe", &write_description);
   class_<JsSession>("Session")
       .smart_ptr<std::shared_ptr<JsSession>>("Session")

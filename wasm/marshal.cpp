@@ -221,4 +221,16 @@ val failure(const Error& error) {
   return result;
 }
 
+val out_of_memory() {
+  return failure({ErrorCode::out_of_memory,
+                  "There is not enough memory for this mesh. Use a larger size.",
+                  {}});
+}
+
+val text_result(const std::string& text) {
+  val result = val::object();
+  result.set("text", text);
+  return result;
+}
+
 }  // namespace lpq

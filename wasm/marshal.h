@@ -4,7 +4,9 @@
 
 #include <emscripten/val.h>
 
+#include <new>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/result.h"
@@ -45,5 +47,19 @@ Result<OutputMesh> mesh_from(const val& mesh);
 
 /// {error: {code, message, where}} as JSON text, which js/errors.js turns into a LpquadError.
 val failure(const Error& error);
+val out_of_memory();
+
+/// {text}
+val text_result(const std::string& text);
+
+/// Running out of memory ends the call, not the instance: everything it held is freed on the way.
+template <class Work>
+val guarded(Work&& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return out_of_memory();
+  }
+}
 
 }  // namespace lpq

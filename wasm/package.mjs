@@ -18,12 +18,15 @@ function assemble() {
   chmodSync(join(dist, 'cli.js'), 0o755);
 
   // One glue serves both builds: they differ in instructions, not in what they import and export.
-  const glue = readFileSync(build('wasm', 'wasm/lpquad.mjs'), 'utf8');
-  if (glue !== readFileSync(build('wasm-plain', 'wasm/lpquad.mjs'), 'utf8'))
-    throw new Error('The glue of the two WebAssembly builds differs.');
-  writeFileSync(join(dist, 'glue.js'), glue);
+  for (const [name, from] of [['glue.js', 'lpquad.mjs'], ['readers-glue.js', 'lpquad-readers.mjs']]) {
+    const glue = readFileSync(build('wasm', `wasm/${from}`), 'utf8');
+    if (glue !== readFileSync(build('wasm-plain', `wasm/${from}`), 'utf8'))
+      throw new Error(`The glue ${from} of the two WebAssembly builds differs.`);
+    writeFileSync(join(dist, name), glue);
+  }
   const copies = { 'lpquad.wasm': build('wasm', 'wasm/lpquad.wasm'),
     'lpquad-plain.wasm': build('wasm-plain', 'wasm/lpquad.wasm'),
+    'lpquad-readers.wasm': build('wasm-plain', 'wasm/lpquad-readers.wasm'),
     'cli.cjs': build('wasm-plain', 'bin/lpquad.cjs'), 'cli.wasm': build('wasm-plain', 'bin/lpquad.wasm') };
   for (const [name, from] of Object.entries(copies)) {
     cpSync(from, join(dist, name));
@@ -32,8 +35,9 @@ function assemble() {
 
   // The single file: everything in one module, for places where no second file can be fetched. The
   // plain build, since it cannot choose.
-  const bytes = readFileSync(join(dist, 'lpquad-plain.wasm')).toString('base64');
-  writeFileSync(join(dist, 'inline-wasm.js'), `export default '${bytes}';\n`);
+  const base64 = (name) => readFileSync(join(dist, `${name}.wasm`)).toString('base64');
+  const files = ['lpquad-plain', 'lpquad-readers'].map((name) => `  '${name}': '${base64(name)}',\n`);
+  writeFileSync(join(dist, 'inline-wasm.js'), `export default {\n${files.join('')}};\n`);
 }
 
 function check() {

@@ -70,9 +70,12 @@ if (Symbol.dispose) Session.prototype[Symbol.dispose] = Session.prototype.dispos
 
 export class Lpquad {
   #module;
+  #readers;
 
-  constructor(module, build) {
+  /** @param {() => Promise<any>} readers  loads the module that reads files, once */
+  constructor(module, build, readers) {
     this.#module = module;
+    this.#readers = readers;
     const table = JSON.parse(module.describe());
     this.version = table.version;
     this.build = build;
@@ -106,9 +109,10 @@ export class Lpquad {
     return new Session(unwrap(raw).session, thrown);
   }
 
-  readDomain(source, { name = '', format = '' } = {}) {
+  async readDomain(source, { name = '', format = '' } = {}) {
     const bytes = source instanceof ArrayBuffer ? new Uint8Array(source) : source;
-    const { text, warnings } = unwrap(this.#module.readDomain(bytes, format, name));
+    const readers = await this.#readers();
+    const { text, warnings } = unwrap(readers.readDomain(bytes, format, name));
     return { ...JSON.parse(text), warnings: JSON.parse(warnings) };
   }
 

@@ -127,4 +127,4 @@ export type ErrorCode =
 
 export type MeshFormat = 'obj' | 'msh' | 'vtu' | 'vtk' | 'inp' | 'su2' | 'bdf' | 'ply' | 'geojson' | 'svg' | 'json';
 
-export type DomainFormat = ;
+export type DomainFormat = 'json' | 'geojson' | 'svg' | 'poly' | 'msh' | 'dxf';

@@ -267,8 +267,8 @@ export interface Lpquad extends Description {
   meshDomain(domain: Domain, options?: MeshCallOptions): MeshResult;
   /** The same in steps. `memory: false` forgets the past: less memory, no way back. */
   start(domain: Domain, options?: Omit<MeshCallOptions, 'onProgress'> & { memory?: boolean }): Session;
-  /** A domain from the text or bytes of a file. */
-  readDomain(source: string | Uint8Array | ArrayBuffer, options?: ReadOptions): ReadDomain;
+  /** A domain from the text or bytes of a file. The code for it is loaded on first use. */
+  readDomain(source: string | Uint8Array | ArrayBuffer, options?: ReadOptions): Promise<ReadDomain>;
   /** A mesh as the text of a file. */
   writeMesh(mesh: Mesh, format: MeshFormat, options?: WriteOptions): string;
 }
@@ -278,6 +278,8 @@ export interface WasmSource {
   wasmUrl?: string | URL;
   wasmBinary?: ArrayBuffer | Uint8Array;
   wasmModule?: WebAssembly.Module;
+  /** Of lpquad-readers.wasm, which readDomain loads. */
+  readersUrl?: string | URL;
 }
 
 /** Loads the library; the same instance for the same source, however often it is called. */

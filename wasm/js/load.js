@@ -34,8 +34,9 @@ export async function compileUrl(url) {
   return WebAssembly.compile(checkMagic(await response.arrayBuffer(), url));
 }
 
-async function instantiate(wasmModule, build) {
-  const module = await new Promise((resolve, reject) => {
+/** @returns {Promise<any>} the exports of the module with its glue */
+function instantiate(createModule, wasmModule) {
+  return new Promise((resolve, reject) => {
     createModule({
       instantiateWasm(imports, done) {
         WebAssembly.instantiate(wasmModule, imports).then(done, reject);
@@ -44,31 +45,48 @@ async function instantiate(wasmModule, build) {
       printErr: (text) => console.error(text),
     }).then(resolve, reject);
   });
-  return new Lpquad(module, build);
+}
+
+/** Calls `make` once, and again only after a failure. */
+function once(make) {
+  let promise = null;
+  return () => {
+    promise ??= make().catch((error) => {
+      promise = null;
+      throw error;
+    });
+    return promise;
+  };
 }
 
 const instances = new Map();
 
 /**
  * One instance per source, however often it is asked for; a failure is not remembered.
- * @param {object} source  {wasmModule} or {wasmBinary} or {wasmUrl} of the caller's, or nothing
- * @param {(build: string) => Promise<WebAssembly.Module>} compileOwn  the package's own file
- * @param {(url: string | URL) => Promise<WebAssembly.Module>} compileFrom  an address of the caller's
+ * @param {import('./index.js').WasmSource} source  of the caller's
+ * @param {object} files  how this entry finds the package's own files
+ * @param {(name: string) => Promise<WebAssembly.Module>} files.own  lpquad, -plain, -readers
+ * @param {(url: string | URL) => Promise<WebAssembly.Module>} [files.from]  the caller's addresses
+ * @param {() => Promise<{default: Function}>} files.readersGlue
  */
-export function createOnce(source, compileOwn, compileFrom = compileUrl) {
-  const { wasmModule, wasmBinary, wasmUrl } = source;
+export function createOnce(source, { own, from = compileUrl, readersGlue }) {
+  const { wasmModule, wasmBinary, wasmUrl, readersUrl } = source;
   const key = wasmModule ?? wasmBinary ?? (wasmUrl === undefined ? '' : String(wasmUrl));
   if (!instances.has(key)) {
-    const build = hasSimd() ? 'simd' : 'plain';
-    const compiled = wasmModule ? Promise.resolve(wasmModule)
-      : wasmBinary ? Promise.resolve().then(() =>
-        WebAssembly.compile(checkMagic(wasmBinary, 'wasmBinary')))
-      : wasmUrl !== undefined ? compileFrom(wasmUrl)
-      : compileOwn(build);
-    const instance = compiled.then((module) =>
-      instantiate(module, key === '' ? build : 'custom'));
-    instance.catch(() => instances.delete(key));
-    instances.set(key, instance);
+    const build = key !== '' ? 'custom' : hasSimd() ? 'simd' : 'plain';
+    const compile = async () => {
+      if (wasmModule) return wasmModule;
+      if (wasmBinary) return WebAssembly.compile(checkMagic(wasmBinary, 'wasmBinary'));
+      if (wasmUrl !== undefined) return from(wasmUrl);
+      return own(build === 'simd' ? 'lpquad' : 'lpquad-plain');
+    };
+    const readers = once(async () => {
+      const glue = await readersGlue();
+      const compiled = readersUrl === undefined ? own('lpquad-readers') : from(readersUrl);
+      return instantiate(glue.default, await compiled);
+    });
+    instances.set(key, once(async () =>
+      new Lpquad(await instantiate(createModule, await compile()), build, readers)));
   }
-  return instances.get(key);
+  return instances.get(key)();
 }

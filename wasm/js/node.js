@@ -1,14 +1,11 @@
-// The entry for Node, which reads the .wasm from disk.
+// The entry for Node, which reads the .wasm files from disk.
 import { readFile } from 'node:fs/promises';
 
 import { checkMagic, compileUrl, createOnce } from './load.js';
 
 export { LpquadError } from './errors.js';
 
-const files = {
-  simd: new URL('./lpquad.wasm', import.meta.url),
-  plain: new URL('./lpquad-plain.wasm', import.meta.url),
-};
+const own = (name) => compileFile(new URL(`./${name}.wasm`, import.meta.url));
 
 async function compileFile(url) {
   return WebAssembly.compile(checkMagic(await readFile(url), url.href));
@@ -22,5 +19,9 @@ function compileAny(wasmUrl) {
 }
 
 export function createLpquad(source = {}) {
-  return createOnce(source, (build) => compileFile(files[build]), compileAny);
+  return createOnce(source, {
+    own,
+    from: compileAny,
+    readersGlue: () => import('./readers-glue.js'),
+  });
 }

@@ -1,0 +1,34 @@
+// The readers of domain files: a module of its own, which a page loads when a file is opened.
+#include <emscripten/bind.h>
+
+#include "io/domain/domain_format.h"
+#include "io/domain/json_domain.h"
+#include "io/error_text.h"
+#include "marshal.h"
+
+namespace lpq {
+namespace {
+
+/// By the short name of a format, or else by the file's name and content.
+Result<DomainFile> read_any(const std::string& text, const std::string& format,
+                            const std::string& name) {
+  if (format.empty()) return read_domain_file(name, text);
+  if (const auto known = domain_format_by_name(format)) return read_domain(text, *known);
+  return Error{ErrorCode::bad_option, "There is no domain format '" + format + "'.", {}};
+}
+
+val read_domain_text(const std::string& text, const std::string& format, const std::string& name) {
+  return guarded([&] {
+    const auto file = read_any(text, format, name);
+    if (!file) return failure(file.error());
+    val result = text_result(write_domain_json(file->domain));
+    result.set("warnings", errors_json(file->warnings));
+    return result;
+  });
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(lpquad_readers) { emscripten::function("readDomain", &read_domain_text); }
+
+}  // namespace lpq
