@@ -38,7 +38,12 @@ class JsonWriter {
   void value(double number) {
     if (!std::isfinite(number)) return raw("null");
     separate();
-    append_number(out_, number);
+    // "-0" is an integer to most readers, and loses its sign.
+    if (number == 0 && std::signbit(number)) {
+      out_ += "-0.0";
+    } else {
+      append_number(out_, number);
+    }
   }
   template <class Integer>
   requires(std::is_integral_v<Integer> &&

@@ -70,7 +70,7 @@ function packLoops(packed, region, path, names) {
 
 function checkKeys(domain) {
   const known = ['loops', 'regions', 'tags', 'polylines', 'points', 'h'];
-  const described = ['name', 'description', 'source', 'licence', 'license'];
+  const described = ['name', 'description', 'source', 'licence', 'license', 'warnings'];
   for (const key of Object.keys(domain))
     if (!known.includes(key) && !described.includes(key))
       throw new LpquadError('PARSE_ERROR',

@@ -29,6 +29,8 @@ export interface DomainParts {
   /** Comments, ignored. */
   name?: string;
   description?: string;
+  /** Of readDomain, ignored. */
+  warnings?: unknown;
 }
 
 /** One region, or several that may share edges; shared edges stay conforming. */

@@ -18,8 +18,8 @@ void append_region(JsonWriter& json, const DomainInput::Region& region) {
   json.key("loops");
   json.begin_array();
   for (const Loop& loop : region.loops) {
+    if (&loop != &region.loops.front()) json.new_line();
     append_points(json, {}, loop);
-    json.new_line();
   }
   json.end_array();
   if (!region.tags.empty()) {
