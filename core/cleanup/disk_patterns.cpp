@@ -17,7 +17,7 @@ struct Limit {
 };
 // Interior vertices tried per loop length, and the irregularity inside that is still of use: for
 // regularity a repair trades a boundary defect of weight 3 for less than that inside.
-constexpr Limit regular_limits[] = {{6, 3, 2}, {8, 3, 2}, {10, 3, 2}, {12, 2, 2}};
+constexpr Limit regular_limits[] = {{6, 3, 2}, {8, 3, 2}, {10, 2, 2}};
 // For validity anything goes, down to one quad in five: an inner one and a frame of four.
 constexpr Limit repair_limits[] = {{4, 4, 4}, {6, 4, 4}, {8, 4, 4}, {10, 3, 3}};
 

@@ -39,6 +39,8 @@ class IdealValence {
   bool is_regular(const QuadTopology& mesh, Index v) const { return weight(mesh, v) == 0; }
   /// The number of quads wanted at v, over all its sectors.
   Index wanted(Index v) const;
+  /// Walls inside the domain cut the faces at the fixed vertex v into more than one sector.
+  bool is_divided(Index v) const { return sectors_.row(v).size() > 1; }
   /// The quads that now share the sector in which face f meets v, and the number wanted there.
   struct Count {
     Index quads = 0, ideal = 4;

@@ -205,7 +205,7 @@ void Refiller::relax(Trial& trial) const {
       }
       patch.points[v] = (1.0 / count) * sum;
     }
-  if (!invalid_faces(patch).empty()) untangle_patch(patch, options_.effort);
+  if (!invalid_faces(patch).empty()) untangle_patch(patch, options_.untangling);
   if (!invalid_faces(patch).empty()) return;
   const double h = fields_.size(patch.points[trial.loop[0]], hint_);
   const std::vector<double> unit(patch.faces.size(), 1 / (h * h));

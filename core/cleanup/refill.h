@@ -28,7 +28,7 @@ struct RefillOptions {
   double worst_eta = 0.3;         // a neighbourhood better than this may fall to it
   Index tries = 3;                // patterns smoothed and compared per cavity
   bool repair = false;            // accept more irregularity where it makes faces valid
-  Effort effort = Effort::quick;  // spent on untangling each try
+  Untangling untangling = Untangling::quick;  // spent on untangling each try
 };
 
 struct RefillResult {

@@ -42,16 +42,21 @@ struct Corners {
   }
 };
 
-// atan(t) for |t| <= 1, error below 3e-10: Chebyshev interpolation of atan(t)/t in t^2.
-double small_arc_tangent(double t) {
+// atan(t) for |t| <= 1, error below 3e-10: Chebyshev interpolation of atan(t)/t in t^2. N at once:
+// the loops over corners are what compilers turn into vector instructions.
+template <int N>
+std::array<double, N> small_arc_tangents(const std::array<double, N>& t) {
   constexpr std::array<double, 11> c = {
       0.9999999995535378,   -0.33333322488913208,   0.19999558100397521,  -0.14278576025162701,
       0.1105077127778412,   -0.087850432880911142,  0.066852815272371913, -0.043928410811433227,
       0.021912945885863525, -0.0070306694584457777, 0.0010576074313963289};
-  const double s = t * t;
-  double sum = c[10];
-  for (int i = 9; i >= 0; --i) sum = sum * s + c[i];
-  return sum * t;
+  std::array<double, N> s, sum;
+  for (int k = 0; k < N; ++k) s[k] = t[k] * t[k];
+  for (int k = 0; k < N; ++k) sum[k] = c[10];
+  for (int i = 9; i >= 0; --i)
+    for (int k = 0; k < N; ++k) sum[k] = sum[k] * s[k] + c[i];
+  for (int k = 0; k < N; ++k) sum[k] *= t[k];
+  return sum;
 }
 
 double eighth_power(double x) {
@@ -88,37 +93,66 @@ Evaluation mean_ratio_face(const Face& face, std::span<const Vec2> points, doubl
   return {sum, EvalStatus::ok};
 }
 
+// The area term of a quad: value, and its derivative by twice the area.
+struct AreaTerm {
+  double value = 0, slope = 0;
+};
+
+AreaTerm area_term(double twice_area, double unit, double weight) {
+  const double s = 0.5 * twice_area * unit, inverse = 1 / s;
+  const double misfit = s + inverse - 2, damping = 1 / (1 + misfit / saturation);
+  return {weight * misfit * damping,
+          0.5 * weight * unit * (1 - inverse * inverse) * damping * damping};
+}
+
 template <int N>
 Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
                     const EtaEnergyOptions& options, std::span<Vec2> gradient) {
   constexpr double target = N == 4 ? 0.0 : 1.0 / 3.0;  // 90 or 60 degrees, from 90, over 90
   const Corners<N> corners(face, points);
-  std::array<double, N> deviation, power;
-  double total = 0;
+  std::array<double, N> area, t, z, power;
+  double least = corners.area(0);
+  for (int k = 0; k < N; ++k) area[k] = corners.area(k);
+  for (int k = 1; k < N; ++k) least = std::min(least, area[k]);
+  if (!(least > 0)) return refused;
   for (int k = 0; k < N; ++k) {
-    const double area = corners.area(k);
-    if (!(area > 0)) return refused;
     const double lengths = std::sqrt(corners.squared[k] * corners.squared[Corners<N>::before(k)]);
-    const double t = corners.product(k) / (lengths + area);
-    deviation[k] = target - (4 / pi) * small_arc_tangent(t);
-    const double z = std::abs(deviation[k]) + deviation_offset;
-    power[k] = eighth_power(z);
-    total += power[k];
-    power[k] /= deviation[k] < 0 ? -z : z;  // z^7 with the sign of the deviation
+    t[k] = corners.product(k) / (lengths + area[k]);
   }
+  std::array<double, N> deviation = small_arc_tangents<N>(t);
+  for (int k = 0; k < N; ++k) deviation[k] = target - (4 / pi) * deviation[k];
+  for (int k = 0; k < N; ++k) z[k] = std::abs(deviation[k]) + deviation_offset;
+  for (int k = 0; k < N; ++k) power[k] = eighth_power(z[k]);
+  double total = 0;
+  for (int k = 0; k < N; ++k) total += power[k];
+  for (int k = 0; k < N; ++k)  // z^7 with the sign of the deviation
+    power[k] /= deviation[k] < 0 ? -z[k] : z[k];
   const double e = eighth_root(total), excess = std::max(0.0, e - options.floor_deviation);
   double sum = e + options.floor_weight * excess * excess;
   // d sum / d alpha_k = slope power_k: an angle enters its deviation with factor 2 / pi.
   const double slope = (1 + 2 * options.floor_weight * excess) * (e / total) * (2 / pi);
+  std::array<double, N> turn, stretch, misfit, damping;
   for (int k = 0; k < N; ++k) {
     const double inverse = 1 / corners.squared[k], s = corners.squared[k] * unit;
     const double inverse_s = inverse / unit;
-    const double misfit = s + inverse_s - 2, damping = 1 / (1 + misfit / saturation);
-    sum += options.size_weight * misfit * damping;
-    const double turn = slope * (power[(k + 1) % N] - power[k]) * inverse;
-    const double stretch =
-        2 * options.size_weight * unit * (1 - inverse_s * inverse_s) * damping * damping;
-    const Vec2 by_edge = turn * perpendicular(corners.edge[k]) + stretch * corners.edge[k];
+    misfit[k] = s + inverse_s - 2;
+    damping[k] = 1 / (1 + misfit[k] / saturation);
+    turn[k] = slope * (power[(k + 1) % N] - power[k]) * inverse;
+    stretch[k] =
+        2 * options.size_weight * unit * (1 - inverse_s * inverse_s) * damping[k] * damping[k];
+  }
+  for (int k = 0; k < N; ++k) sum += options.size_weight * misfit[k] * damping[k];
+  double growth = 0;
+  if (N == 4 && options.area_weight > 0) {
+    const AreaTerm term = area_term(area[1] + area[3], unit, options.area_weight);
+    sum += term.value;
+    growth = term.slope;
+  }
+  for (int k = 0; k < N; ++k) {
+    Vec2 by_edge = turn[k] * perpendicular(corners.edge[k]) + stretch[k] * corners.edge[k];
+    // Twice the area is e0 x e1 + e2 x e3.
+    if (growth != 0)
+      by_edge += (k % 2 == 0 ? -growth : growth) * perpendicular(corners.edge[k ^ 1]);
     Corners<N>::scatter(face, k, by_edge, gradient);
   }
   return {sum, EvalStatus::ok};

@@ -26,6 +26,7 @@ struct MeanRatioOptions {
 
 struct EtaEnergyOptions {
   double size_weight = 0.02;      // of the length term, per edge and side
+  double area_weight = 0;         // of the area term of a quad
   double floor_deviation = 0.36;  // e0 = 1 - the eta below which the floor pushes
   double floor_weight = 100;      // g
 };

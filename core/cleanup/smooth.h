@@ -10,6 +10,7 @@ namespace lpq {
 struct SmoothOptions {
   int iterations = 100;
   double size_weight = 0.02;  // of the edge-length term beside 1 - eta
+  double area_weight = 0;     // of the area term
   double eta_floor = 0.64;    // quads below are pushed up harder
 };
 

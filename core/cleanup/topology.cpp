@@ -88,9 +88,9 @@ TopologyStats repair_invalid(QuadTopology& mesh, const IdealValence& ideal, cons
   // Most repairs need only a good look at many patterns; what is left gets more work on fewer,
   // smaller cavities.
   Refiller quick(mesh, ideal, fields, patterns,
-                 {.tries = 8, .repair = true, .effort = Effort::patient});
+                 {.tries = 8, .repair = true, .untangling = Untangling::patient});
   Refiller thorough(mesh, ideal, fields, patterns,
-                    {.tries = 3, .repair = true, .effort = Effort::thorough});
+                    {.tries = 3, .repair = true, .untangling = Untangling::thorough});
   repair_all(mesh, quick, true, stats);
   repair_all(mesh, thorough, false, stats);
   return stats;

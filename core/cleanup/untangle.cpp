@@ -87,11 +87,11 @@ std::vector<Index> invalid_faces(const QuadMesh& mesh) {
   return result;
 }
 
-void untangle_patch(QuadMesh& patch, Effort effort) {
+void untangle_patch(QuadMesh& patch, Untangling untangling) {
   const Csr<Index> stars = faces_at_vertices(patch);
-  const int sweeps = effort == Effort::thorough ? centre_sweeps : quick_sweeps;
-  centre_vertices(patch, stars, sweeps, effort != Effort::quick);
-  if (effort != Effort::thorough || count_invalid(patch) == 0) return;
+  const int sweeps = untangling == Untangling::thorough ? centre_sweeps : quick_sweeps;
+  centre_vertices(patch, stars, sweeps, untangling != Untangling::quick);
+  if (untangling != Untangling::thorough || count_invalid(patch) == 0) return;
   descend_mean_ratio(patch);
   centre_vertices(patch, stars, centre_sweeps, true);
 }
@@ -105,7 +105,7 @@ Index untangle(QuadMesh& mesh) {
     for (const std::vector<Index>& cluster : face_clusters(mesh, stars, invalid, width)) {
       MeshPart part = extract_part(mesh, stars, cluster);
       const Index before = count_invalid(part.mesh);
-      untangle_patch(part.mesh, Effort::thorough);
+      untangle_patch(part.mesh, Untangling::thorough);
       if (count_invalid(part.mesh) < before) put_back(part, mesh);
     }
     invalid = invalid_faces(mesh);

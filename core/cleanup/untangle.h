@@ -15,13 +15,13 @@ std::vector<Index> invalid_faces(const QuadMesh& mesh);
 /// Returns the number of faces made valid. No valid face becomes invalid unless more become valid.
 Index untangle(QuadMesh& mesh);
 
-enum class Effort {
+enum class Untangling {
   quick,     // star centres of the tangled vertices: enough for a patch that fits its place
   patient,   // and of their neighbours
   thorough,  // all of the above
 };
 
 /// The same for a whole small mesh, without looking for clusters.
-void untangle_patch(QuadMesh& patch, Effort effort);
+void untangle_patch(QuadMesh& patch, Untangling untangling);
 
 }  // namespace lpq

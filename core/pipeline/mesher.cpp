@@ -1,8 +1,10 @@
 #include "pipeline/mesher.h"
 
+#include <algorithm>
 #include <ctime>
 
 #include "cleanup/cleanup.h"
+#include "cleanup/smooth.h"
 #include "delaunay/delaunay.h"
 #include "lpcvt/seeds.h"
 #include "pipeline/finish.h"
@@ -15,6 +17,13 @@ namespace {
 // Iterations of L_p when the caller leaves the choice to us: "eighty iterations are usually
 // sufficient" (paper section 3.3.3); an aligned start is already where L_p would lead.
 constexpr int isotropic_iterations = 80;
+
+// Final smoothing when the caller leaves the choice to us, and its iterations per step.
+constexpr int paper_smoothing = 100, best_smoothing = 300, smoothing_block = 100;
+constexpr int steps_before_patches = 20;
+constexpr int seeds_per_step = 50;
+// Shares of Options::size_weight: of an edge's length (per edge and side), of a quad's area.
+constexpr double edge_share = 0.5, area_share = 2;
 
 // Adds the CPU time of a scope to the report, under one name per stage.
 class StageTimer {
@@ -59,6 +68,26 @@ Error describe(const std::vector<Violation>& violations) {
   return error;
 }
 
+// One measure of shape for patches and final smoothing. Length and area terms together: lengths
+// alone keep to the size at the expense of right angles, areas alone let quads become oblong.
+SmoothOptions shape_smoothing(const Options& options) {
+  return {.size_weight = edge_share * options.size_weight,
+          .area_weight = area_share * options.size_weight};
+}
+
+PatchOptions patch_options(const Options& options) {
+  const SmoothOptions smoothing = shape_smoothing(options);
+  PatchOptions patches;
+  patches.seed = options.seed;
+  patches.energy = {.size_weight = smoothing.size_weight,
+                    .area_weight = smoothing.area_weight,
+                    .floor_deviation = 1 - smoothing.eta_floor};
+  if (options.effort == Effort::high)
+    patches.passes = {{20},           {60}, {200}, {200, 2, 20}, {200, 0.8, 20},
+                      {200, 0.3, 20}, {60}, {200}, {600}};
+  return patches;
+}
+
 }  // namespace
 
 const char* stage_name(Stage stage) {
@@ -67,6 +96,8 @@ const char* stage_name(Stage stage) {
     case Stage::optimise: return "optimise";
     case Stage::match: return "match";
     case Stage::clean: return "clean";
+    case Stage::patch: return "patch";
+    case Stage::smooth: return "smooth";
     case Stage::check: return "check";
     case Stage::done: return "done";
   }
@@ -133,6 +164,8 @@ Result<Stage> Mesher::step(int iterations) {
     case Stage::optimise: optimise(iterations); break;
     case Stage::match: match(); break;
     case Stage::clean: clean(); break;
+    case Stage::patch: remesh_patches(); break;
+    case Stage::smooth: smooth(); break;
     case Stage::check: return check();
     case Stage::done: break;
   }
@@ -230,16 +263,51 @@ void Mesher::match() {
   trace_->quads.push_back({"matched", quads_});
 }
 
+int Mesher::smoothing() const {
+  if (options_.smoothing >= 0) return options_.smoothing;
+  return for_shape() ? best_smoothing : paper_smoothing;
+}
+
 void Mesher::clean() {
   const StageTimer timer(report_, "clean");
   CleanupOptions cleanup;
-  cleanup.smoothing_iterations = options_.smoothing;
   // The paper's chain ends in a smoothing of positions only. Deviation: of eta, not Laplacian
   // (mean eta 0.93 against 0.89 on the benchmark domains).
-  cleanup.topology = options_.method == Method::best || attempt_ > 0;
-  quads_ = clean_up(std::move(quads_), *fields_, cleanup).mesh;
+  cleanup.topology = for_shape() || attempt_ > 0;
+  cleanup.smoothing_iterations = for_shape() ? steps_before_patches : smoothing();
+  if (for_shape()) cleanup.size_weight = edge_share * options_.size_weight;
+  CleanupResult result = clean_up(std::move(quads_), *fields_, cleanup);
+  quads_ = std::move(result.mesh);
   if (trace_) trace_->quads.push_back({"cleaned", quads_});
   report_.chain += " + clean-up";
+  stage_ = Stage::check;
+  if (!for_shape() || result.stats.still_invalid > 0) return;
+  PatchOptions patches = patch_options(options_);
+  patches_.emplace(std::move(quads_), *fields_, patches);
+  stage_ = Stage::patch;
+}
+
+void Mesher::remesh_patches() {
+  const StageTimer timer(report_, "patch");
+  if (patches_->step(seeds_per_step)) return;
+  quads_ = patches_->mesh();
+  patches_.reset();
+  if (trace_) trace_->quads.push_back({"patched", quads_});
+  report_.chain += " + patches";
+  smoothed_ = 0;
+  stage_ = Stage::smooth;
+}
+
+void Mesher::smooth() {
+  const StageTimer timer(report_, "smooth");
+  const int steps = std::min(smoothing_block, smoothing() - smoothed_);
+  SmoothOptions options = shape_smoothing(options_);
+  options.iterations = steps;
+  smooth_eta(quads_, *fields_, options);
+  smoothed_ += steps;
+  if (smoothed_ < smoothing()) return;
+  if (trace_) trace_->quads.push_back({"smoothed", quads_});
+  report_.chain += " + smoothing";
   stage_ = Stage::check;
 }
 
@@ -291,6 +359,7 @@ Result<Stage> Mesher::next_attempt(const Error& failure) {
   if (++attempt_ == attempts_.size()) return failure;
   ++report_.attempts;
   optimizer_.reset();
+  patches_.reset();
   return stage_ = Stage::seeds;
 }
 

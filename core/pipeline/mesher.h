@@ -1,4 +1,5 @@
-// The order of the stages, and nothing else: fields, seeds, L_p, matching, clean-up, final check.
+// The order of the stages, and nothing else: fields, seeds, L_p, matching, clean-up,
+// patches, smoothing, final check.
 // A Mesher is a copyable value that advances in small steps; a batch run is a loop around it.
 #pragma once
 
@@ -9,6 +10,7 @@
 #include "base/result.h"
 #include "domain/domain.h"
 #include "mesh/output_mesh.h"
+#include "patches/remesh.h"
 #include "pipeline/options.h"
 #include "pipeline/prepare.h"
 #include "pipeline/report.h"
@@ -16,7 +18,7 @@
 
 namespace lpq {
 
-enum class Stage { seeds, optimise, match, clean, check, done };
+enum class Stage { seeds, optimise, match, clean, patch, smooth, check, done };
 const char* stage_name(Stage stage);
 
 class Mesher {
@@ -26,8 +28,9 @@ class Mesher {
   static Result<Mesher> start(const DomainInput& input, const Options& options = {},
                               const UserFields& user = {});
 
-  /// Advances by one stage, or by `iterations` iterations inside the L_p stage. After the call
-  /// stage() is what comes next. Errors: no_valid_mesh, lost_precision.
+  /// Advances by one stage, or inside the long ones by a bounded piece of work: `iterations`
+  /// iterations of L_p, a few patches, some iterations of smoothing. After the call stage() is what
+  /// comes next. Errors: no_valid_mesh, lost_precision.
   Result<Stage> step(int iterations = 1);
 
   Stage stage() const { return stage_; }
@@ -70,6 +73,10 @@ class Mesher {
   void optimise(int iterations);
   void match();
   void clean();
+  void remesh_patches();
+  void smooth();
+  bool for_shape() const { return options_.method == Method::best; }
+  int smoothing() const;
   Result<Stage> check();
   Result<Stage> next_attempt(const Error& failure);
   void keep_better(Candidate candidate);
@@ -84,6 +91,8 @@ class Mesher {
   std::vector<Vec2> seeds_;
   TriMesh triangles_;
   QuadMesh quads_;
+  std::optional<PatchRemesher> patches_;
+  int smoothed_ = 0;  // iterations so far
   OutputMesh output_;
   Report report_;
   std::optional<Candidate> kept_;

@@ -12,6 +12,7 @@ namespace lpq {
 
 enum class Method { best, paper };
 enum class Elements { quad, quad_dominant };
+enum class Effort { normal, high };
 enum class Seeds { automatic, aligned, isotropic };
 
 template <>
@@ -23,6 +24,10 @@ struct ChoiceNames<Elements> {
   static constexpr std::array<const char*, 2> names{"quad", "quad-dominant"};
 };
 template <>
+struct ChoiceNames<Effort> {
+  static constexpr std::array<const char*, 2> names{"normal", "high"};
+};
+template <>
 struct ChoiceNames<Seeds> {
   static constexpr std::array<const char*, 3> names{"automatic", "aligned", "isotropic"};
 };
@@ -32,6 +37,7 @@ struct Options {
   bool keep_boundary = false;
   Elements elements = Elements::quad;
   Method method = Method::best;
+  Effort effort = Effort::normal;
   Seeds seeds = Seeds::automatic;
   double norm = 6;
   int iterations = -1;
@@ -40,7 +46,8 @@ struct Options {
   double simplify = 0;
   bool allow_added_point = false;
   bool strict = false;
-  int smoothing = 100;
+  double size_weight = 0.1;
+  int smoothing = -1;
   int max_elements = 10'000'000;
 };
 
@@ -72,6 +79,9 @@ void each_field(O& o, F&& visit) {
         FieldInfo{0, 1, "",
                   "best: the chain of stages that measures best; paper: isotropic start, L_p, "
                   "Blossom, smoothing."});
+  visit("effort", o.effort,
+        FieldInfo{0, 1, "",
+                  "high: irregular vertices are moved about and cancelled for much longer."});
   visit(
       "seeds", o.seeds,
       FieldInfo{
@@ -94,7 +104,13 @@ void each_field(O& o, F&& visit) {
   visit("strict", o.strict,
         FieldInfo{0, 1, "",
                   "Repeated consecutive points are an error instead of merged with a warning."});
-  visit("smoothing", o.smoothing, FieldInfo{0, 10000, "", "Iterations of the final smoothing."});
+  visit("sizeWeight", o.size_weight,
+        FieldInfo{0, 10, "",
+                  "What keeping to the target size is worth beside right angles; with 0 only the "
+                  "angles count."});
+  visit("smoothing", o.smoothing,
+        FieldInfo{-1, 10000, "",
+                  "Iterations of the final smoothing; -1 is 100 for the paper's chain, else 300."});
   visit("maxElements", o.max_elements,
         FieldInfo{1, 100'000'000, "",
                   "Refuse before allocating when more elements than this are expected."});

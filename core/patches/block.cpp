@@ -1,0 +1,112 @@
+#include "patches/block.h"
+
+#include <algorithm>
+
+#include "base/check.h"
+
+namespace lpq {
+namespace {
+
+int edge_count(const Side& side) { return static_cast<int>(side.size()) - 1; }
+
+Index add_point(Filling& filling, Vec2 p) {
+  filling.points.push_back(p);
+  return static_cast<Index>(filling.points.size()) - 1;
+}
+
+// A grid between four sides, opposite ones of equal count.
+void fill_grid(const Side& south, const Side& east, const Side& north, const Side& west,
+               Filling& filling) {
+  const int a = edge_count(south), b = edge_count(east);
+  LPQ_ASSERT(edge_count(north) == a && edge_count(west) == b);
+  const auto p = [&](Index v) { return filling.points[v]; };
+  const Vec2 c00 = p(south[0]), c10 = p(east[0]), c11 = p(north[0]), c01 = p(west[0]);
+  Side below = south;
+  for (int j = 1; j <= b; ++j) {
+    Side row{west[b - j]};
+    const double v = static_cast<double>(j) / b;
+    for (int i = 1; i < a; ++i) {
+      if (j == b) {
+        row.push_back(north[a - i]);
+        continue;
+      }
+      const double u = static_cast<double>(i) / a;
+      const Vec2 between =
+          (1 - v) * p(south[i]) + v * p(north[a - i]) + (1 - u) * p(west[b - j]) + u * p(east[j]);
+      const Vec2 corners = (1 - v) * ((1 - u) * c00 + u * c10) + v * ((1 - u) * c01 + u * c11);
+      row.push_back(add_point(filling, between - corners));
+    }
+    row.push_back(east[j]);
+    for (int i = 0; i < a; ++i)
+      filling.faces.push_back({below[i], below[i + 1], row[i + 1], row[i]});
+    below = std::move(row);
+  }
+}
+
+// Side i is cut at `split[i]` edges from its first corner; spokes lead from there to the centre.
+void fill_star(std::span<const Side> sides, const Spokes& spokes, Filling& filling) {
+  const int n = static_cast<int>(sides.size());
+  std::vector<int> split(n);
+  Vec2 middle;
+  for (int i = 0; i < n; ++i) {
+    split[i] = spokes.edges[(i + n - 1) % n];
+    middle += (1.0 / n) * filling.points[sides[i][split[i]]];
+  }
+  const Index centre = add_point(filling, middle);
+  std::vector<Side> inward(n);
+  for (int i = 0; i < n; ++i)
+    inward[i] = straight_side(sides[i][split[i]], centre, spokes.edges[i], filling);
+  for (int i = 0; i < n; ++i) {
+    const int h = (i + n - 1) % n;
+    const Side south(sides[i].begin(), sides[i].begin() + split[i] + 1);
+    const Side west(sides[h].begin() + split[h], sides[h].end());
+    fill_grid(south, inward[i], Side(inward[h].rbegin(), inward[h].rend()), west, filling);
+  }
+}
+
+}  // namespace
+
+Spokes find_spokes(std::span<const int> s) {
+  const int n = static_cast<int>(s.size());
+  Spokes result;
+  if (n == 4) {
+    result.fits = s[0] == s[2] && s[1] == s[3] && s[0] > 0 && s[1] > 0;
+    result.least = std::min(s[0], s[1]);
+    return result;
+  }
+  if (n != 3 && n != 5) return result;
+  int sum = 0;
+  for (const int edges : s) sum += edges;
+  if (sum % 2 != 0) return result;
+  result.least = sum;
+  for (int j = 0; j < n; ++j) {
+    const int edges = n == 3 ? sum / 2 - s[j] : sum / 2 - s[(j + 2) % 5] - s[(j + 3) % 5];
+    result.edges[j] = edges;
+    result.least = std::min(result.least, edges);
+  }
+  result.fits = result.least >= 1;
+  return result;
+}
+
+Side straight_side(Index a, Index b, int edges, Filling& filling) {
+  const Vec2 start = filling.points[a], way = filling.points[b] - start;
+  Side side{a};
+  for (int i = 1; i < edges; ++i)
+    side.push_back(add_point(filling, start + (static_cast<double>(i) / edges) * way));
+  side.push_back(b);
+  return side;
+}
+
+void fill_block(std::span<const Side> sides, Filling& filling) {
+  if (sides.size() == 4) {
+    fill_grid(sides[0], sides[1], sides[2], sides[3], filling);
+    return;
+  }
+  std::vector<int> lengths;
+  for (const Side& side : sides) lengths.push_back(edge_count(side));
+  const Spokes spokes = find_spokes(lengths);
+  LPQ_ASSERT(spokes.fits);
+  fill_star(sides, spokes, filling);
+}
+
+}  // namespace lpq

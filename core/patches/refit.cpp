@@ -1,0 +1,97 @@
+#include "patches/refit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "mesh/quality.h"
+#include "numerics/elementary.h"
+
+namespace lpq {
+namespace {
+
+constexpr double least_gain = 1e-9;  // of irregularity: less is none
+
+double worst_eta(const QuadMesh& mesh) {
+  double worst = 1;
+  for (const Face& face : mesh.faces)
+    if (face[3] != none) worst = std::min(worst, face_eta(mesh, face));
+  return worst;
+}
+
+// What a change may cost at most: nothing, or with a temperature what chance allows [Metropolis].
+double most_change(const RefitRule& rule) {
+  if (rule.temperature <= 0) return 0;
+  return -rule.temperature * logarithm(1 - rule.rng->unit());
+}
+
+}  // namespace
+
+Refitter::Refitter(QuadTopology& mesh, const IdealValence& ideal, const Fields& fields,
+                   const PatchOptions& options)
+    : mesh_(mesh), fields_(fields), options_(options), patch_(mesh, ideal) {}
+
+Polygon Refitter::polygon() const {
+  Polygon polygon;
+  polygon.corner = outline_.corner;
+  for (const Index v : outline_.loop) {
+    polygon.points.push_back(mesh_.point(v));
+    polygon.size.push_back(fields_.size(mesh_.point(v), hint_));
+  }
+  return polygon;
+}
+
+Refit Refitter::refit(const RefitRule& rule) {
+  if (!patch_.close(rule.largest)) return Refit::hopeless;
+  if (!patch_.outline(outline_)) return Refit::rejected;
+  const int corners = static_cast<int>(outline_.corner.size());
+  // A disk with n corners and flat sides needs irregular vertices worth |n - 4| at least.
+  const double allowed = outline_.weight - outline_.rim_weight +
+                         (rule.extra_weight > 0 ? rule.extra_weight : -least_gain);
+  if (corners < least_corners || corners > most_corners || allowed < std::abs(corners - 4))
+    return Refit::rejected;
+  const Polygon shape = polygon();
+  std::vector<Plan> plans =
+      make_plans(shape, {.most_irregular = static_cast<int>(allowed), .count = options_.plans});
+  if (plans.empty()) return Refit::rejected;
+  if (rule.rng != nullptr) plans = {plans[rule.rng->below(plans.size())]};
+
+  const Surroundings around(mesh_, fields_, patch_, outline_, options_.rings);
+  const double now = around.energy_now(options_.energy);
+  Trial best;
+  double best_change = most_change(rule);
+  for (const Plan& plan : plans) {
+    ++tried_;
+    Trial trial = around.place(fill(shape, plan));
+    if (!around.relax(trial, {.energy = options_.energy})) continue;
+    const double gain = outline_.weight - outline_.rim_weight - plan.irregular;
+    const double change = trial.energy - now - options_.credit * gain;
+    if (change >= best_change || worst_eta(trial.mesh) < options_.worst_eta) continue;
+    best_change = change;
+    best = std::move(trial);
+  }
+  if (best.mesh.faces.empty()) return Refit::rejected;
+  commit(around, best);
+  return Refit::done;
+}
+
+void Refitter::commit(const Surroundings& around, const Trial& trial) {
+  const Index region = mesh_.region(patch_.faces()[0]);
+  const std::vector<Index> old = patch_.faces();
+  patch_.clear();
+  for (const Index f : old) mesh_.remove_face(f);
+  changed_ = around.vertices();
+  for (std::size_t i = around.pinned(); i < trial.mesh.points.size(); ++i) {
+    if (i < changed_.size())
+      mesh_.move(changed_[i], trial.mesh.points[i]);
+    else
+      changed_.push_back(mesh_.add_vertex(trial.mesh.points[i]));
+  }
+  for (Index f = 0; f < trial.filled; ++f) {
+    Face face = trial.mesh.faces[f];
+    for (Index& v : face) v = changed_[v];
+    mesh_.add_face(face, region);
+  }
+}
+
+}  // namespace lpq

@@ -1,0 +1,146 @@
+#include "patches/surroundings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cleanup/descent.h"
+#include "cleanup/untangle.h"
+
+namespace lpq {
+namespace {
+
+// A trial whose smallest corner has this share of its target area is good enough for the eta
+// energy, which cannot start from tangled faces and is slow on flat ones.
+constexpr double usable_corner = 0.15;
+constexpr int untangling_rounds = 3;
+// Energy of a face that is not strictly convex: more than any valid face has.
+constexpr double invalid_energy = 50;
+
+bool contains(std::span<const Index> sorted, Index value) {
+  return std::binary_search(sorted.begin(), sorted.end(), value);
+}
+
+void sort_unique(std::vector<Index>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+}  // namespace
+
+Surroundings::Surroundings(const QuadTopology& mesh, const Fields& fields, const PatchGrowth& patch,
+                           const Outline& outline, int rings)
+    : mesh_(mesh), fields_(fields), outline_(outline), patch_(patch.faces()) {
+  collect(patch, rings);
+  numbers_.reserve(vertices_.size());
+  for (std::size_t i = 0; i < vertices_.size(); ++i)
+    numbers_.push_back({vertices_[i], static_cast<Index>(i)});
+  std::sort(numbers_.begin(), numbers_.end());
+  for (const Index f : outside_) {
+    Face face = mesh_.face(f);
+    ring_target_.push_back(target(mesh_.points(), face));
+    for (int k = 0; k < corner_count(mesh_.face(f)); ++k) face[k] = local(face[k]);
+    ring_.push_back(face);
+  }
+}
+
+void Surroundings::collect(const PatchGrowth& patch, int rings) {
+  std::vector<Index> free, all = outline_.loop;
+  for (const Index v : outline_.loop)
+    if (!mesh_.is_fixed(v)) free.push_back(v);
+  for (int ring = 0; ring < rings; ++ring) {
+    for (const Index v : free)
+      for (const Index f : mesh_.faces_of(v))
+        if (!patch.contains(f)) outside_.push_back(f);
+    sort_unique(outside_);
+    for (const Index f : outside_)
+      for (int k = 0; k < corner_count(mesh_.face(f)); ++k) all.push_back(mesh_.face(f)[k]);
+    sort_unique(all);
+    if (ring + 1 == rings) break;
+    for (const Index v : all)
+      if (!mesh_.is_fixed(v)) free.push_back(v);
+  }
+  sort_unique(all);
+  sort_unique(free);
+  for (const Index v : all)
+    if (!contains(free, v)) vertices_.push_back(v);
+  pinned_ = static_cast<Index>(vertices_.size());
+  vertices_.insert(vertices_.end(), free.begin(), free.end());
+}
+
+Index Surroundings::local(Index v) const {
+  return (*std::lower_bound(numbers_.begin(), numbers_.end(), std::array<Index, 2>{v, none}))[1];
+}
+
+double Surroundings::target(const std::vector<Vec2>& points, const Face& face) const {
+  const int n = corner_count(face);
+  Vec2 sum;
+  for (int k = 0; k < n; ++k) sum += points[face[k]];
+  const double h = fields_.size((1.0 / n) * sum, hint_);
+  return 1 / (h * h);
+}
+
+double Surroundings::energy_now(const EtaEnergyOptions& options) const {
+  std::vector<Vec2> points, gradient(4);
+  std::vector<Index> faces = patch_;
+  faces.insert(faces.end(), outside_.begin(), outside_.end());
+  double sum = 0;
+  for (const Index f : faces) {
+    const Face& face = mesh_.face(f);
+    const int n = corner_count(face);
+    points.clear();
+    for (int k = 0; k < n; ++k) points.push_back(mesh_.point(face[k]));
+    const Face alone{0, 1, 2, n == 4 ? 3 : none};
+    const double unit = target(mesh_.points(), face);
+    const Evaluation one = eta_energy({&alone, 1}, points, {&unit, 1}, options, gradient);
+    sum += one.status == EvalStatus::ok ? std::min(one.value, invalid_energy) : invalid_energy;
+  }
+  return sum;
+}
+
+Trial Surroundings::place(const Filling& filling) const {
+  Trial trial;
+  const Index length = static_cast<Index>(outline_.loop.size());
+  trial.mesh.fixed = pinned_;
+  for (const Index v : vertices_) trial.mesh.points.push_back(mesh_.point(v));
+  trial.mesh.points.insert(trial.mesh.points.end(), filling.points.begin() + length,
+                           filling.points.end());
+  std::vector<Index> number;
+  for (const Index v : outline_.loop) number.push_back(local(v));
+  const Index first_new = static_cast<Index>(vertices_.size()) - length;
+  for (Face face : filling.faces) {
+    for (Index& v : face) v = v < length ? number[v] : first_new + v;
+    trial.mesh.faces.push_back(face);
+    trial.target.push_back(target(trial.mesh.points, face));
+  }
+  trial.filled = static_cast<Index>(trial.mesh.faces.size());
+  trial.mesh.faces.insert(trial.mesh.faces.end(), ring_.begin(), ring_.end());
+  trial.target.insert(trial.target.end(), ring_target_.begin(), ring_target_.end());
+  return trial;
+}
+
+bool Surroundings::relax(Trial& trial, const RelaxOptions& options) const {
+  QuadMesh& mesh = trial.mesh;
+  const std::vector<double> sizes = vertex_sizes(mesh);
+  for (int round = 0; round < untangling_rounds; ++round) {
+    const double worst = smallest_corner(mesh.faces, mesh.points, trial.target);
+    if (worst > usable_corner) break;
+    MeanRatioOptions ratio;
+    if (worst < 1e-3) ratio.epsilon = std::sqrt(0.01 + 0.5 * worst * worst);
+    descend(mesh, sizes, options.untangling,
+            [&](std::span<const Vec2> points, std::span<Vec2> gradient) {
+              return mean_ratio_energy(mesh.faces, points, trial.target, ratio, gradient);
+            });
+    if (worst >= 1e-3) break;
+  }
+  const auto energy = [&](std::span<const Vec2> points, std::span<Vec2> gradient) {
+    return eta_energy(mesh.faces, points, trial.target, options.energy, gradient);
+  };
+  if (smallest_corner(mesh.faces, mesh.points, trial.target) <= 0) return false;
+  descend(mesh, sizes, options.smoothing, energy);
+  std::vector<Vec2> gradient(mesh.points.size());
+  const Evaluation now = energy(mesh.points, gradient);
+  trial.energy = now.value;
+  return now.status == EvalStatus::ok && invalid_faces(mesh).empty();
+}
+
+}  // namespace lpq

@@ -1,0 +1,61 @@
+// A hole in the mesh and the faces around it as a small mesh of their own, in which fillings are
+// tried: the outline and a few rings of vertices outside it give way, everything else stays.
+#pragma once
+
+#include "cleanup/shape_energy.h"
+#include "field/field.h"
+#include "patches/growth.h"
+#include "patches/plan.h"
+
+namespace lpq {
+
+/// A filling in its surroundings.
+struct Trial {
+  QuadMesh mesh;               // vertices of the surroundings first, as numbered there
+  std::vector<double> target;  // #F  1/h^2 of each face
+  Index filled = 0;            // the first faces are the filling's
+  double energy = 0;           // of all faces
+};
+
+struct RelaxOptions {
+  EtaEnergyOptions energy;
+  int untangling = 12, smoothing = 16;  // iterations
+};
+
+class Surroundings {
+ public:
+  /// `rings` of vertices outside the outline may move.
+  Surroundings(const QuadTopology& mesh, const Fields& fields, const PatchGrowth& patch,
+               const Outline& outline, int rings);
+
+  /// Energy of patch and rings as they are; `invalid` faces count as much as the worst valid one.
+  double energy_now(const EtaEnergyOptions& options) const;
+
+  Trial place(const Filling& filling) const;
+  /// Untangles where needed and lowers the energy. False when a face stays that is not strictly
+  /// convex.
+  bool relax(Trial& trial, const RelaxOptions& options) const;
+
+  /// Numbers in the whole mesh, vertices that may not move first.
+  const std::vector<Index>& vertices() const { return vertices_; }
+  Index pinned() const { return pinned_; }
+
+ private:
+  void collect(const PatchGrowth& patch, int rings);
+  Index local(Index v) const;
+  double target(const std::vector<Vec2>& points, const Face& face) const;
+
+  const QuadTopology& mesh_;
+  const Fields& fields_;
+  const Outline& outline_;
+  std::vector<Index> vertices_;
+  Index pinned_ = 0;
+  std::vector<std::array<Index, 2>> numbers_;  // (vertex, local number), sorted
+  std::vector<Index> outside_;                 // faces of the rings
+  std::vector<Face> ring_;                     // the same in local numbers
+  std::vector<double> ring_target_;
+  std::vector<Index> patch_;
+  mutable Index hint_ = none;
+};
+
+}  // namespace lpq
