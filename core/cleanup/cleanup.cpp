@@ -5,6 +5,7 @@
 
 #include "cleanup/disk_patterns.h"
 #include "cleanup/ideal_valence.h"
+#include "cleanup/shape_energy.h"
 #include "cleanup/smooth.h"
 #include "cleanup/topology.h"
 #include "cleanup/untangle.h"
@@ -44,6 +45,7 @@ void make_valid(CleanupResult& result, const Fields& fields) {
 // is compared with what they can be, not with what the matching left.
 void make_regular(CleanupResult& result, const Fields& fields, SmoothOptions smoothing) {
   smoothing.iterations = steps_before;
+  smoothing.rounding = coarse_rounding;
   smooth_eta(result.mesh, fields, smoothing);
   QuadTopology topology(std::move(result.mesh));
   const IdealValence ideal(topology);
@@ -57,7 +59,8 @@ void make_regular(CleanupResult& result, const Fields& fields, SmoothOptions smo
 CleanupResult clean_up(QuadMesh mesh, const Fields& fields, const CleanupOptions& options) {
   const SmoothOptions smoothing{.iterations = options.smoothing_iterations,
                                 .size_weight = options.size_weight,
-                                .eta_floor = options.eta_floor};
+                                .eta_floor = options.eta_floor,
+                                .rounding = options.rounding};
   CleanupResult result;
   result.mesh = std::move(mesh);
   make_valid(result, fields);

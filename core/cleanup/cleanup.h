@@ -18,6 +18,7 @@ struct CleanupOptions {
   int smoothing_iterations = 100;  // of the eta optimisation, or sweeps
   double size_weight = 0.02;       // of the edge-length term beside 1 - eta
   double eta_floor = 0.62;         // quads below are pushed up harder
+  double rounding = 1e-4;          // of the kinks of 1 - eta
   // Local operations for regularity. Without them only doublets are removed, and connectivity
   // changes elsewhere only where no positions make the faces valid.
   bool topology = true;

@@ -212,7 +212,7 @@ void Refiller::relax(Trial& trial) const {
   const std::vector<double> sizes = vertex_sizes(patch);
   const std::vector<Vec2> before = patch.points;
   descend(patch, sizes, relax_steps, [&](std::span<const Vec2> points, std::span<Vec2> gradient) {
-    return eta_energy(patch.faces, points, unit, {}, gradient);
+    return eta_energy(patch.faces, points, unit, {.rounding = coarse_rounding}, gradient);
   });
   if (!invalid_faces(patch).empty()) patch.points = before;
 }

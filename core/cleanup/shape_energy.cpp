@@ -16,8 +16,6 @@ constexpr double least_corner = 1e-9;
 // The length term levels off here (edges four times too long or short): where the 1D mesh forces
 // such lengths, they must not outweigh everything else.
 constexpr double saturation = 16;
-// Keeps |d| differentiable where all four corners are right angles.
-constexpr double deviation_offset = 1e-4;
 
 // A face's edges e[k] = p[k+1] - p[k] and what both energies need of them.
 template <int N>
@@ -57,11 +55,6 @@ std::array<double, N> small_arc_tangents(const std::array<double, N>& t) {
     for (int k = 0; k < N; ++k) sum[k] = sum[k] * s[k] + c[i];
   for (int k = 0; k < N; ++k) sum[k] *= t[k];
   return sum;
-}
-
-double eighth_power(double x) {
-  const double x2 = x * x, x4 = x2 * x2;
-  return x4 * x4;
 }
 
 double eighth_root(double x) { return std::sqrt(std::sqrt(std::sqrt(x))); }
@@ -110,7 +103,7 @@ Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
                     const EtaEnergyOptions& options, std::span<Vec2> gradient) {
   constexpr double target = N == 4 ? 0.0 : 1.0 / 3.0;  // 90 or 60 degrees, from 90, over 90
   const Corners<N> corners(face, points);
-  std::array<double, N> area, t, z, power;
+  std::array<double, N> area, t, rounded, power;
   double least = corners.area(0);
   for (int k = 0; k < N; ++k) area[k] = corners.area(k);
   for (int k = 1; k < N; ++k) least = std::min(least, area[k]);
@@ -121,12 +114,15 @@ Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
   }
   std::array<double, N> deviation = small_arc_tangents<N>(t);
   for (int k = 0; k < N; ++k) deviation[k] = target - (4 / pi) * deviation[k];
-  for (int k = 0; k < N; ++k) z[k] = std::abs(deviation[k]) + deviation_offset;
-  for (int k = 0; k < N; ++k) power[k] = eighth_power(z[k]);
+  const double rounding = options.rounding * options.rounding;
+  for (int k = 0; k < N; ++k) rounded[k] = deviation[k] * deviation[k] + rounding;
+  for (int k = 0; k < N; ++k) {
+    const double third = rounded[k] * rounded[k] * rounded[k];
+    power[k] = third * deviation[k];
+    rounded[k] *= third;
+  }
   double total = 0;
-  for (int k = 0; k < N; ++k) total += power[k];
-  for (int k = 0; k < N; ++k)  // z^7 with the sign of the deviation
-    power[k] /= deviation[k] < 0 ? -z[k] : z[k];
+  for (int k = 0; k < N; ++k) total += rounded[k];
   const double e = eighth_root(total), excess = std::max(0.0, e - options.floor_deviation);
   double sum = e + options.floor_weight * excess * excess;
   // d sum / d alpha_k = slope power_k: an angle enters its deviation with factor 2 / pi.

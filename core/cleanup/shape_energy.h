@@ -24,9 +24,14 @@ struct MeanRatioOptions {
   double size_weight = 0.1;  // w
 };
 
+/// Rounding that lets a few iterations go far (1 - eta is a largest absolute value: without
+/// rounding L-BFGS gets stuck where angles are right). For everything but the last smoothing.
+inline constexpr double coarse_rounding = 0.03;
+
 struct EtaEnergyOptions {
   double size_weight = 0.02;      // of the length term, per edge and side
   double area_weight = 0;         // of the area term of a quad
+  double rounding = 1e-4;         // d counts as sqrt(d^2 + rounding^2): no kink at right angles
   double floor_deviation = 0.36;  // e0 = 1 - the eta below which the floor pushes
   double floor_weight = 100;      // g
 };

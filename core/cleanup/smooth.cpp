@@ -153,6 +153,7 @@ std::vector<double> target_inverse_squares(const QuadMesh& mesh, const Fields& f
 void smooth_eta(QuadMesh& mesh, const Fields& fields, const SmoothOptions& options) {
   const EtaEnergyOptions energy{.size_weight = options.size_weight,
                                 .area_weight = options.area_weight,
+                                .rounding = options.rounding,
                                 .floor_deviation = 1 - options.eta_floor};
   std::vector<double> etas = all_etas(mesh);
   const std::vector<double> least = least_allowed(mesh, etas);

@@ -95,7 +95,8 @@ void PatchRemesher::end_pass() {
              {.iterations = options_.smoothing,
               .size_weight = options_.energy.size_weight,
               .area_weight = options_.energy.area_weight,
-              .eta_floor = 1 - options_.energy.floor_deviation});
+              .eta_floor = 1 - options_.energy.floor_deviation,
+              .rounding = options_.energy.rounding});
   mesh_ = QuadTopology(std::move(mesh));
   ++pass_;
   if (!done()) begin_pass();
