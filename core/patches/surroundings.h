@@ -19,7 +19,8 @@ struct Trial {
 
 struct RelaxOptions {
   EtaEnergyOptions energy;
-  int untangling = 12, smoothing = 16;  // iterations
+  int untangling = 12, first_look = 5, smoothing = 16;  // iterations
+  double bound = 1e300;  // a trial that will hardly get below is given up after the first look
 };
 
 class Surroundings {
@@ -32,8 +33,8 @@ class Surroundings {
   double energy_now(const EtaEnergyOptions& options) const;
 
   Trial place(const Filling& filling) const;
-  /// Untangles where needed and lowers the energy. False when a face stays that is not strictly
-  /// convex.
+  /// Untangles where needed and lowers the energy. False when given up, or when a face stays that
+  /// is not strictly convex.
   bool relax(Trial& trial, const RelaxOptions& options) const;
 
   /// Numbers in the whole mesh, vertices that may not move first.

@@ -46,7 +46,7 @@ struct Options {
   double simplify = 0;
   bool allow_added_point = false;
   bool strict = false;
-  double size_weight = 0.1;
+  double size_weight = 0.12;
   int smoothing = -1;
   int max_elements = 10'000'000;
 };
