@@ -18,6 +18,7 @@ Index add_point(Filling& filling, Vec2 p) {
 void fill_grid(const Side& south, const Side& east, const Side& north, const Side& west,
                Filling& filling) {
   const int a = edge_count(south), b = edge_count(east);
+  if (a == 0 || b == 0) return;  // beside a spoke of no edges
   LPQ_ASSERT(edge_count(north) == a && edge_count(west) == b);
   const auto p = [&](Index v) { return filling.points[v]; };
   const Vec2 c00 = p(south[0]), c10 = p(east[0]), c11 = p(north[0]), c01 = p(west[0]);
@@ -44,6 +45,7 @@ void fill_grid(const Side& south, const Side& east, const Side& north, const Sid
 }
 
 // Side i is cut at `split[i]` edges from its first corner; spokes lead from there to the centre.
+// When the centre lies on the last side, two of them run along it.
 void fill_star(std::span<const Side> sides, const Spokes& spokes, Filling& filling) {
   const int n = static_cast<int>(sides.size());
   std::vector<int> split(n);
@@ -52,10 +54,18 @@ void fill_star(std::span<const Side> sides, const Spokes& spokes, Filling& filli
     split[i] = spokes.edges[(i + n - 1) % n];
     middle += (1.0 / n) * filling.points[sides[i][split[i]]];
   }
-  const Index centre = add_point(filling, middle);
+  const Side& end = sides[n - 1];
+  const bool on_cut = spokes.edges[n - 1] == 0;
+  const Index centre = on_cut ? end[split[n - 1]] : add_point(filling, middle);
   std::vector<Side> inward(n);
-  for (int i = 0; i < n; ++i)
-    inward[i] = straight_side(sides[i][split[i]], centre, spokes.edges[i], filling);
+  for (int i = 0; i < n; ++i) {
+    if (on_cut && i == 0)
+      inward[i] = Side(end.rbegin(), end.rend() - split[n - 1]);
+    else if (on_cut && i == n - 2)
+      inward[i] = Side(end.begin(), end.begin() + split[n - 1] + 1);
+    else
+      inward[i] = straight_side(sides[i][split[i]], centre, spokes.edges[i], filling);
+  }
   for (int i = 0; i < n; ++i) {
     const int h = (i + n - 1) % n;
     const Side south(sides[i].begin(), sides[i].begin() + split[i] + 1);
@@ -66,7 +76,7 @@ void fill_star(std::span<const Side> sides, const Spokes& spokes, Filling& filli
 
 }  // namespace
 
-Spokes find_spokes(std::span<const int> s) {
+Spokes find_spokes(std::span<const int> s, LastSide last) {
   const int n = static_cast<int>(s.size());
   Spokes result;
   if (n == 4) {
@@ -82,14 +92,18 @@ Spokes find_spokes(std::span<const int> s) {
   for (int j = 0; j < n; ++j) {
     const int edges = n == 3 ? sum / 2 - s[j] : sum / 2 - s[(j + 2) % 5] - s[(j + 3) % 5];
     result.edges[j] = edges;
-    result.least = std::min(result.least, edges);
+    if (j + 1 == n && last == LastSide::cut)
+      result.fits = edges >= 0;
+    else
+      result.least = std::min(result.least, edges);
   }
-  result.fits = result.least >= 1;
+  result.fits = (last == LastSide::outline || result.fits) && result.least >= 1;
   return result;
 }
 
 Side straight_side(Index a, Index b, int edges, Filling& filling) {
   const Vec2 start = filling.points[a], way = filling.points[b] - start;
+  if (edges == 0) return {b};
   Side side{a};
   for (int i = 1; i < edges; ++i)
     side.push_back(add_point(filling, start + (static_cast<double>(i) / edges) * way));
@@ -104,7 +118,7 @@ void fill_block(std::span<const Side> sides, Filling& filling) {
   }
   std::vector<int> lengths;
   for (const Side& side : sides) lengths.push_back(edge_count(side));
-  const Spokes spokes = find_spokes(lengths);
+  const Spokes spokes = find_spokes(lengths, LastSide::cut);
   LPQ_ASSERT(spokes.fits);
   fill_star(sides, spokes, filling);
 }

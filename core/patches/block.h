@@ -24,12 +24,17 @@ inline constexpr int most_block_corners = 5;
 /// Edges of the spokes of an n-gon; `fits` is false where no filling exists.
 struct Spokes {
   bool fits = false;
-  int least = 0;  // shortest spoke; of a grid: its shorter side
+  int least = 0;  // shortest spoke to the outline; of a grid: its shorter side
   std::array<int, most_block_corners> edges{};
 };
 
+enum class LastSide {
+  outline,  // like the others
+  cut,      // another block lies beyond: the irregular vertex may lie on it (a spoke of no edges)
+};
+
 /// `lengths`: edges of each side, 3 to 5 sides. A 4-gon has no spokes.
-Spokes find_spokes(std::span<const int> lengths);
+Spokes find_spokes(std::span<const int> lengths, LastSide last = LastSide::outline);
 
 /// Vertices 0 .. given-1 are the outline's; new ones follow.
 struct Filling {

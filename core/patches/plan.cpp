@@ -18,7 +18,9 @@ struct Piece {
   int sides = 0;
 
   void add(int edges) { length[sides++] = edges; }
-  Spokes spokes() const { return find_spokes({length.data(), static_cast<std::size_t>(sides)}); }
+  Spokes spokes(LastSide last) const {
+    return find_spokes({length.data(), static_cast<std::size_t>(sides)}, last);
+  }
 };
 
 class Planner {
@@ -30,7 +32,7 @@ class Planner {
     if (n_ < least_corners || n_ > most_corners) return {};
     Piece whole;
     for (int i = 0; i < n_; ++i) whole.add(polygon_.side_length(i));
-    if (n_ <= most_block_corners && whole.spokes().fits) {
+    if (n_ <= most_block_corners && whole.spokes(LastSide::outline).fits) {
       if (n_ != 4 && options_.most_irregular < 1) return {};
       return {Plan{.irregular = n_ == 4 ? 0 : 1}};
     }
@@ -63,14 +65,21 @@ class Planner {
     split(plan, left, right);
     for (plan.edges = least; plan.edges <= most; ++plan.edges) {
       left.length[left.sides - 1] = right.length[right.sides - 1] = plan.edges;
-      const Spokes one = left.spokes();
+      const Spokes one = left.spokes(LastSide::cut);
       if (!one.fits) continue;
-      const Spokes two = right.spokes();
-      if (!two.fits) continue;
+      const Spokes two = right.spokes(LastSide::cut);
+      if (!two.fits || meet(left, one, right, two)) continue;
       plan.misfit = std::abs(plan.edges - natural) / std::sqrt(natural + 1) + nearness / one.least +
                     nearness / two.least;
       found_.push_back(plan);
     }
+  }
+
+  // Both irregular vertices on the cut, in the same place: one of another valence.
+  static bool meet(const Piece& left, const Spokes& one, const Piece& right, const Spokes& two) {
+    if (left.sides == 4 || right.sides == 4) return false;
+    if (one.edges[left.sides - 1] != 0 || two.edges[right.sides - 1] != 0) return false;
+    return one.edges[left.sides - 2] + two.edges[right.sides - 2] == left.length[left.sides - 1];
   }
 
   // The pieces left and right of the cut; the cut is the last side of both.
