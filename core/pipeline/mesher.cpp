@@ -19,7 +19,8 @@ namespace {
 constexpr int isotropic_iterations = 80;
 
 // Final smoothing when the caller leaves the choice to us, and its iterations per step.
-constexpr int paper_smoothing = 100, best_smoothing = 300, smoothing_block = 100;
+constexpr int paper_smoothing = 100, best_smoothing = 300, long_smoothing = 600;
+constexpr int smoothing_block = 100;
 constexpr int steps_before_patches = 20;
 constexpr double fine_rounding = 0.003;  // of the final smoothing, after a block of the coarse one
 constexpr int seeds_per_step = 50;
@@ -84,9 +85,12 @@ PatchOptions patch_options(const Options& options) {
                     .area_weight = smoothing.area_weight,
                     .rounding = coarse_rounding,
                     .floor_deviation = 1 - smoothing.eta_floor};
-  if (options.effort == Effort::high)
-    patches.passes = {{20},           {60}, {200}, {200, 2, 20}, {200, 0.8, 20},
-                      {200, 0.3, 20}, {60}, {200}, {600}};
+  if (options.effort == Effort::high) {
+    patches.credit = 7;
+    patches.plans = 10;
+    patches.passes = {{20},           {60}, {200}, {200, 0.8, 80}, {200, 0.4, 80},
+                      {200, 0.2, 80}, {60}, {200}, {600}};
+  }
   return patches;
 }
 
@@ -267,7 +271,8 @@ void Mesher::match() {
 
 int Mesher::smoothing() const {
   if (options_.smoothing >= 0) return options_.smoothing;
-  return for_shape() ? best_smoothing : paper_smoothing;
+  if (!for_shape()) return paper_smoothing;
+  return options_.effort == Effort::high ? long_smoothing : best_smoothing;
 }
 
 void Mesher::clean() {
@@ -288,7 +293,7 @@ void Mesher::clean() {
   stage_ = Stage::check;
   if (!for_shape() || result.stats.still_invalid > 0) return;
   PatchOptions patches = patch_options(options_);
-  patches_.emplace(std::move(quads_), *fields_, patches);
+  patches_.emplace(quads_, *fields_, patches);
   stage_ = Stage::patch;
 }
 

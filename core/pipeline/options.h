@@ -46,7 +46,7 @@ struct Options {
   double simplify = 0;
   bool allow_added_point = false;
   bool strict = false;
-  double size_weight = 0.12;
+  double size_weight = 0.11;
   int smoothing = -1;
   int max_elements = 10'000'000;
 };
@@ -110,7 +110,9 @@ void each_field(O& o, F&& visit) {
                   "angles count."});
   visit("smoothing", o.smoothing,
         FieldInfo{-1, 10000, "",
-                  "Iterations of the final smoothing; -1 is 100 for the paper's chain, else 300."});
+                  "Iterations of the final smoothing; -1 is 100 for the paper's chain, else 300, "
+                  "or 600 with "
+                  "high effort."});
   visit("maxElements", o.max_elements,
         FieldInfo{1, 100'000'000, "",
                   "Refuse before allocating when more elements than this are expected."});

@@ -4,9 +4,12 @@
 #include "catch.h"
 #include "cleanup/cleanup.h"
 #include "cleanup/smooth.h"
+#include "delaunay/delaunay.h"
 #include "mesh/quality.h"
 #include "mesh/validate.h"
 #include "pipeline/mesher.h"
+#include "pipeline/prepare.h"
+#include "recombine/recombine.h"
 #include "support/cleanup_meshes.h"
 #include "support/shapes.h"
 
@@ -110,8 +113,7 @@ TEST_CASE("a copy goes its own way to the same end") {
 TEST_CASE("every stage can be seen") {
   auto mesher = Mesher::start(disc(0.1), {.keep_boundary = true});
   REQUIRE(mesher);
-  Trace trace;
-  mesher->set_trace(&trace);
+  mesher->keep_trace();
   bool patch_seen = false, smooth_seen = false;
   while (mesher->stage() != Stage::done) {
     REQUIRE(mesher->step());
@@ -121,8 +123,32 @@ TEST_CASE("every stage can be seen") {
   CHECK(patch_seen);
   CHECK(smooth_seen);
   std::vector<std::string> names;
-  for (const QuadStage& stage : trace.quads) names.push_back(stage.name);
+  for (const QuadStage& stage : mesher->trace()->quads) names.push_back(stage.name);
   CHECK(names == std::vector<std::string>{"matched", "cleaned", "patched", "smoothed"});
+}
+
+// The paper's Fig. 12 and 60 starts like it: interior points of an 11 x 11 square moved at random.
+TEST_CASE("every bad start of the square ends perfect") {
+  const Options options{.keep_boundary = true};
+  const auto prepared = prepare(square(1, 0.1), options, {});
+  REQUIRE(prepared);
+  for (const double jitter : {0.35, 0.4, 0.6})
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      CAPTURE(jitter, seed);
+      std::vector<Vec2> seeds = jittered_grid(11, jitter, seed);
+      for (Vec2& p : seeds) p = prepared->domain.frame.to_frame(p);
+      const auto triangles = triangulate(prepared->boundary, seeds);
+      REQUIRE(triangles);
+      QuadMesh start = recombine(*triangles, prepared->fields, {}).mesh;
+      start = clean_up(std::move(start), prepared->fields).mesh;
+      QuadMesh mesh = remeshed(start, prepared->fields);
+      for (const double rounding : {coarse_rounding, 0.003})
+        smooth_eta(mesh, prepared->fields, {.iterations = 200, .rounding = rounding});
+      const QuadQuality quality = quad_quality(mesh);
+      CHECK(irregularity_of(mesh) == 0);
+      CHECK(quality.eta_min > 0.99);
+      CHECK(quality.quads == 100);
+    }
 }
 
 TEST_CASE("patches pay on curved domains, and sizes are kept") {

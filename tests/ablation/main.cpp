@@ -1,0 +1,151 @@
+// lpquad_ablation DOMAIN.json ...: what each step after the matching is worth. Runs the chain on
+// every domain, boundary kept (refined where it cannot be), with steps left out one at a time, and
+// prints the table of the README.
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "cleanup/cleanup.h"
+#include "cleanup/ideal_valence.h"
+#include "cleanup/shape_energy.h"
+#include "cleanup/smooth.h"
+#include "delaunay/delaunay.h"
+#include "io/json_domain.h"
+#include "lpcvt/seeds.h"
+#include "mesh/quality.h"
+#include "patches/remesh.h"
+#include "pipeline/prepare.h"
+#include "recombine/recombine.h"
+
+using namespace lpq;
+
+namespace {
+
+struct Variant {
+  const char* name;
+  bool cavities = true, patches = true, rounded = true;
+  double size = 0.11;  // Options::size_weight
+  int smoothing = 300;
+  std::vector<PatchPass> passes{{20}, {60}, {200}};
+};
+
+const Variant variants[] = {
+    {.name = "all steps"},
+    {.name = "without cavities", .cavities = false},
+    {.name = "without patches", .patches = false},
+    {.name = "patches up to 60 quads", .passes = {{20}, {60}}},
+    {.name = "without the size terms", .size = 0},
+    {.name = "without rounding of kinks", .rounded = false},
+    {.name = "without the last smoothing", .smoothing = 0},
+    {.name = "with annealing",
+     .passes = {{20}, {60}, {200}, {200, 0.8, 80}, {200, 0.3, 80}, {60}, {200}}},
+};
+
+struct Sums {
+  double eta = 0, least = 0, p5 = 0, regular = 0, irregular = 0, forced = 0, cpu = 0, quads = 0;
+  int domains = 0;
+};
+
+// Sum of (4 - quads) over the interior vertices, forced by the turning of the boundary.
+double forced_irregularity(const QuadMesh& mesh, const IdealValence& ideal,
+                           const QuadTopology& topology) {
+  Index edges = 0;
+  for (const Face& face : mesh.faces) edges += corner_count(face);
+  edges = (edges + mesh.fixed) / 2;
+  const Index chi = topology.vertex_count() - edges + static_cast<Index>(mesh.faces.size());
+  double sum = 4.0 * chi;
+  for (Index v = 0; v < mesh.fixed; ++v)
+    sum -= 2.0 - ideal.sector_count(topology, v, topology.faces_of(v)[0]).ideal;
+  return sum < 0 ? -sum : sum;
+}
+
+QuadMesh mesh_with(const Variant& variant, const Preparation& prepared) {
+  const std::vector<Vec2> seeds = aligned_seeds(prepared.boundary, prepared.fields);
+  const auto triangles = triangulate(prepared.boundary, seeds);
+  if (!triangles) return {};
+  CleanupOptions cleanup;
+  cleanup.topology = variant.cavities;
+  cleanup.smoothing_iterations = 20;
+  cleanup.size_weight = 0.5 * variant.size;
+  cleanup.rounding = variant.rounded ? coarse_rounding : 1e-4;
+  QuadMesh mesh = recombine(*triangles, prepared.fields, {}).mesh;
+  mesh = clean_up(std::move(mesh), prepared.fields, cleanup).mesh;
+  SmoothOptions smoothing{.iterations = 100,
+                          .size_weight = 0.5 * variant.size,
+                          .area_weight = 2 * variant.size,
+                          .rounding = cleanup.rounding};
+  if (variant.patches) {
+    PatchOptions options;
+    options.passes = variant.passes;
+    options.energy = {.size_weight = smoothing.size_weight,
+                      .area_weight = smoothing.area_weight,
+                      .rounding = smoothing.rounding};
+    PatchRemesher remesher(std::move(mesh), prepared.fields, options);
+    while (remesher.step(1000)) {
+    }
+    mesh = remesher.mesh();
+  }
+  for (int done = 0; done < variant.smoothing; done += smoothing.iterations) {
+    smooth_eta(mesh, prepared.fields, smoothing);
+    if (variant.rounded) smoothing.rounding = 0.003;
+  }
+  return mesh;
+}
+
+void add(const Variant& variant, const Preparation& prepared, Sums& sums) {
+  const std::clock_t start = std::clock();
+  const QuadMesh mesh = mesh_with(variant, prepared);
+  sums.cpu += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  if (mesh.faces.empty()) return;
+  const QuadTopology topology(mesh);
+  const IdealValence ideal(topology);
+  const QuadQuality quality = quad_quality(mesh);
+  sums.eta += quality.eta_mean;
+  sums.least += quality.eta_min;
+  sums.p5 += quality.eta_p5;
+  sums.regular += quality.four_valent_percent;
+  sums.irregular += quality.interior_vertices - quality.regular_vertices;
+  sums.forced += forced_irregularity(mesh, ideal, topology);
+  sums.quads += quality.quads;
+  ++sums.domains;
+}
+
+std::vector<Preparation> prepare_all(int count, char** files) {
+  std::vector<Preparation> result;
+  for (int i = 0; i < count; ++i) {
+    std::ifstream file(files[i], std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const auto input = parse_domain_json(text);
+    if (!input) continue;
+    auto prepared = prepare(*input, {.keep_boundary = true}, {});
+    if (!prepared) prepared = prepare(*input, {}, {});
+    if (prepared) result.push_back(std::move(*prepared));
+  }
+  return result;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<Preparation> domains = prepare_all(argc - 1, argv + 1);
+  if (domains.empty()) {
+    std::fprintf(stderr, "usage: lpquad_ablation DOMAIN.json ...\n");
+    return 2;
+  }
+  std::printf(
+      "| %zu domains | mean eta | mean least | mean 5th percentile | 4-valent | irregular "
+      "(forced) | CPU s per 10k quads |\n|---|---|---|---|---|---|---|\n",
+      domains.size());
+  for (const Variant& variant : variants) {
+    Sums sums;
+    for (const Preparation& domain : domains) add(variant, domain, sums);
+    const double n = sums.domains;
+    std::printf("| %s | %.4f | %.3f | %.3f | %.2f %% | %.0f (%.0f) | %.2f |\n", variant.name,
+                sums.eta / n, sums.least / n, sums.p5 / n, sums.regular / n, sums.irregular,
+                sums.forced, 1e4 * sums.cpu / sums.quads);
+  }
+}
