@@ -292,15 +292,15 @@ void Mesher::clean() {
   report_.chain += " + clean-up";
   stage_ = Stage::check;
   if (!for_shape() || result.stats.still_invalid > 0) return;
-  PatchOptions patches = patch_options(options_);
-  patches_.emplace(quads_, *fields_, patches);
+  patches_.emplace(quads_, *fields_, patch_options(options_));
   stage_ = Stage::patch;
 }
 
 void Mesher::remesh_patches() {
   const StageTimer timer(report_, "patch");
-  if (patches_->step(seeds_per_step)) return;
-  quads_ = patches_->mesh();
+  const bool more = patches_->step(seeds_per_step);
+  if (!more || trace_) quads_ = patches_->mesh();  // who looks on sees the patches come
+  if (more) return;
   patches_.reset();
   if (trace_) trace_->quads.push_back({"patched", quads_});
   report_.chain += " + patches";

@@ -51,7 +51,7 @@ export interface MeshCallOptions extends MeshOptions {
 }
 
 export interface Progress {
-  /** What comes next: seeds, optimise, match, clean, check, done. */
+  /** What comes next. */
   stage: Stage;
   /** Of the L_p optimisation. */
   iteration: number;
@@ -60,7 +60,7 @@ export interface Progress {
   energy: number;
 }
 
-export type Stage = 'seeds' | 'optimise' | 'match' | 'clean' | 'check' | 'done';
+export type Stage = 'seeds' | 'optimise' | 'match' | 'clean' | 'patch' | 'smooth' | 'check' | 'done';
 
 export interface Mesh {
   /** x0, y0, x1, y1, …  2 #V. With `keepBoundary` the given points come first, bit for bit. */
