@@ -7,7 +7,7 @@
 namespace lpq {
 namespace {
 
-int edge_count(const Side& side) { return static_cast<int>(side.size()) - 1; }
+int edge_count(const VertexRow& side) { return static_cast<int>(side.size()) - 1; }
 
 Index add_point(Filling& filling, Vec2 p) {
   filling.points.push_back(p);
@@ -15,16 +15,16 @@ Index add_point(Filling& filling, Vec2 p) {
 }
 
 // A grid between four sides, opposite ones of equal count.
-void fill_grid(const Side& south, const Side& east, const Side& north, const Side& west,
-               Filling& filling) {
+void fill_grid(const VertexRow& south, const VertexRow& east, const VertexRow& north,
+               const VertexRow& west, Filling& filling) {
   const int a = edge_count(south), b = edge_count(east);
   if (a == 0 || b == 0) return;  // beside a spoke of no edges
   LPQ_ASSERT(edge_count(north) == a && edge_count(west) == b);
   const auto p = [&](Index v) { return filling.points[v]; };
   const Vec2 c00 = p(south[0]), c10 = p(east[0]), c11 = p(north[0]), c01 = p(west[0]);
-  Side below = south;
+  VertexRow below = south;
   for (int j = 1; j <= b; ++j) {
-    Side row{west[b - j]};
+    VertexRow row{west[b - j]};
     const double v = static_cast<double>(j) / b;
     for (int i = 1; i < a; ++i) {
       if (j == b) {
@@ -44,9 +44,9 @@ void fill_grid(const Side& south, const Side& east, const Side& north, const Sid
   }
 }
 
-// Side i is cut at `split[i]` edges from its first corner; spokes lead from there to the centre.
-// When the centre lies on the last side, two of them run along it.
-void fill_star(std::span<const Side> sides, const Spokes& spokes, Filling& filling) {
+// VertexRow i is cut at `split[i]` edges from its first corner; spokes lead from there to the
+// centre. When the centre lies on the last side, two of them run along it.
+void fill_star(std::span<const VertexRow> sides, const Spokes& spokes, Filling& filling) {
   const int n = static_cast<int>(sides.size());
   std::vector<int> split(n);
   Vec2 middle;
@@ -54,23 +54,23 @@ void fill_star(std::span<const Side> sides, const Spokes& spokes, Filling& filli
     split[i] = spokes.edges[(i + n - 1) % n];
     middle += (1.0 / n) * filling.points[sides[i][split[i]]];
   }
-  const Side& end = sides[n - 1];
+  const VertexRow& end = sides[n - 1];
   const bool on_cut = spokes.edges[n - 1] == 0;
   const Index centre = on_cut ? end[split[n - 1]] : add_point(filling, middle);
-  std::vector<Side> inward(n);
+  std::vector<VertexRow> inward(n);
   for (int i = 0; i < n; ++i) {
     if (on_cut && i == 0)
-      inward[i] = Side(end.rbegin(), end.rend() - split[n - 1]);
+      inward[i] = VertexRow(end.rbegin(), end.rend() - split[n - 1]);
     else if (on_cut && i == n - 2)
-      inward[i] = Side(end.begin(), end.begin() + split[n - 1] + 1);
+      inward[i] = VertexRow(end.begin(), end.begin() + split[n - 1] + 1);
     else
       inward[i] = straight_side(sides[i][split[i]], centre, spokes.edges[i], filling);
   }
   for (int i = 0; i < n; ++i) {
     const int h = (i + n - 1) % n;
-    const Side south(sides[i].begin(), sides[i].begin() + split[i] + 1);
-    const Side west(sides[h].begin() + split[h], sides[h].end());
-    fill_grid(south, inward[i], Side(inward[h].rbegin(), inward[h].rend()), west, filling);
+    const VertexRow south(sides[i].begin(), sides[i].begin() + split[i] + 1);
+    const VertexRow west(sides[h].begin() + split[h], sides[h].end());
+    fill_grid(south, inward[i], VertexRow(inward[h].rbegin(), inward[h].rend()), west, filling);
   }
 }
 
@@ -101,23 +101,23 @@ Spokes find_spokes(std::span<const int> s, LastSide last) {
   return result;
 }
 
-Side straight_side(Index a, Index b, int edges, Filling& filling) {
+VertexRow straight_side(Index a, Index b, int edges, Filling& filling) {
   const Vec2 start = filling.points[a], way = filling.points[b] - start;
   if (edges == 0) return {b};
-  Side side{a};
+  VertexRow side{a};
   for (int i = 1; i < edges; ++i)
     side.push_back(add_point(filling, start + (static_cast<double>(i) / edges) * way));
   side.push_back(b);
   return side;
 }
 
-void fill_block(std::span<const Side> sides, Filling& filling) {
+void fill_block(std::span<const VertexRow> sides, Filling& filling) {
   if (sides.size() == 4) {
     fill_grid(sides[0], sides[1], sides[2], sides[3], filling);
     return;
   }
   std::vector<int> lengths;
-  for (const Side& side : sides) lengths.push_back(edge_count(side));
+  for (const VertexRow& side : sides) lengths.push_back(edge_count(side));
   const Spokes spokes = find_spokes(lengths, LastSide::cut);
   LPQ_ASSERT(spokes.fits);
   fill_star(sides, spokes, filling);

@@ -42,13 +42,13 @@ struct Filling {
   std::vector<Face> faces;
 };
 
-using Side = std::vector<Index>;
+using VertexRow = std::vector<Index>;
 
 /// Fills the polygon (find_spokes must fit). New vertices lie where transfinite interpolation
 /// (Coons) of the sides puts them; the faces may overlap where the polygon is far from convex.
-void fill_block(std::span<const Side> sides, Filling& filling);
+void fill_block(std::span<const VertexRow> sides, Filling& filling);
 
 /// `edges` equal steps from a to b, ends included.
-Side straight_side(Index a, Index b, int edges, Filling& filling);
+VertexRow straight_side(Index a, Index b, int edges, Filling& filling);
 
 }  // namespace lpq

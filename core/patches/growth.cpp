@@ -139,7 +139,7 @@ bool PatchGrowth::walk(std::vector<Index>& loop, std::vector<Index>& face) const
   return simple;
 }
 
-bool PatchGrowth::outline(Outline& result) const {
+bool PatchGrowth::outline(PatchOutline& result) const {
   std::vector<Index> loop, face;
   result = {};
   const bool simple = !broken_ && walk(loop, face);

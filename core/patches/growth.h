@@ -9,7 +9,7 @@
 namespace lpq {
 
 /// The rim of a patch and what its irregularity is now.
-struct Outline {
+struct PatchOutline {
   std::vector<Index> loop;  // counter-clockwise, beginning at a corner
   std::vector<Index>
       corner;  // ascending positions in `loop` that will have one quad, the first is 0
@@ -31,7 +31,7 @@ class PatchGrowth {
   /// faces, or a triangle, or crosses a wall: the patch is beyond repair, however it grows.
   bool close(Index limit);
   /// The rim; false while the faces are not a disk or bend inwards at a fixed vertex.
-  bool outline(Outline& result) const;
+  bool outline(PatchOutline& result) const;
 
   const std::vector<Index>& faces() const { return faces_; }
   bool contains(Index f) const { return inside_[f] != 0; }

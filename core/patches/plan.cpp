@@ -119,28 +119,28 @@ class Planner {
   std::vector<Plan> found_;
 };
 
-Side part_of_side(const Polygon& polygon, int side, int from, int to) {
-  Side part;
+VertexRow part_of_side(const Polygon& polygon, int side, int from, int to) {
+  VertexRow part;
   for (int step = from; step <= to; ++step) part.push_back(polygon.at(side, step));
   return part;
 }
 
-Side whole_side(const Polygon& polygon, int side) {
+VertexRow whole_side(const Polygon& polygon, int side) {
   return part_of_side(polygon, side, 0, polygon.side_length(side));
 }
 
 void fill_cut(const Polygon& polygon, const Plan& plan, Filling& filling) {
   const int n = polygon.corners(), i = plan.first_side, j = plan.second_side;
   const Index u = polygon.at(i, plan.first_step), v = polygon.at(j, plan.second_step);
-  const Side cut = straight_side(v, u, plan.edges, filling);
-  std::vector<Side> left{part_of_side(polygon, i, plan.first_step, polygon.side_length(i))};
+  const VertexRow cut = straight_side(v, u, plan.edges, filling);
+  std::vector<VertexRow> left{part_of_side(polygon, i, plan.first_step, polygon.side_length(i))};
   for (int k = i + 1; k < j; ++k) left.push_back(whole_side(polygon, k));
   left.push_back(part_of_side(polygon, j, 0, plan.second_step));
   left.push_back(cut);
-  std::vector<Side> right{part_of_side(polygon, j, plan.second_step, polygon.side_length(j))};
+  std::vector<VertexRow> right{part_of_side(polygon, j, plan.second_step, polygon.side_length(j))};
   for (int k = j + 1; k < i + n; ++k) right.push_back(whole_side(polygon, k % n));
   right.push_back(part_of_side(polygon, i, 0, plan.first_step));
-  right.push_back(Side(cut.rbegin(), cut.rend()));
+  right.push_back(VertexRow(cut.rbegin(), cut.rend()));
   fill_block(left, filling);
   fill_block(right, filling);
 }
@@ -158,7 +158,7 @@ Filling fill(const Polygon& polygon, const Plan& plan) {
     fill_cut(polygon, plan, filling);
     return filling;
   }
-  std::vector<Side> sides;
+  std::vector<VertexRow> sides;
   for (int i = 0; i < polygon.corners(); ++i) sides.push_back(whole_side(polygon, i));
   fill_block(sides, filling);
   return filling;

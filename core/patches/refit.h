@@ -41,7 +41,7 @@ class Refitter {
   const Fields& fields_;
   const PatchOptions& options_;
   PatchGrowth patch_;
-  Outline outline_;
+  PatchOutline outline_;
   std::vector<Index> changed_;
   Index tried_ = 0;
   mutable Index hint_ = none;

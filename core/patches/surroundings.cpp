@@ -31,7 +31,7 @@ void sort_unique(std::vector<Index>& list) {
 }  // namespace
 
 Surroundings::Surroundings(const QuadTopology& mesh, const Fields& fields, const PatchGrowth& patch,
-                           const Outline& outline, int rings)
+                           const PatchOutline& outline, int rings)
     : mesh_(mesh), fields_(fields), outline_(outline), patch_(patch.faces()) {
   collect(patch, rings);
   numbers_.reserve(vertices_.size());

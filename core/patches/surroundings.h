@@ -27,7 +27,7 @@ class Surroundings {
  public:
   /// `rings` of vertices outside the outline may move.
   Surroundings(const QuadTopology& mesh, const Fields& fields, const PatchGrowth& patch,
-               const Outline& outline, int rings);
+               const PatchOutline& outline, int rings);
 
   /// Energy of patch and rings as they are; `invalid` faces count as much as the worst valid one.
   double energy_now(const EtaEnergyOptions& options) const;
@@ -48,7 +48,7 @@ class Surroundings {
 
   const QuadTopology& mesh_;
   const Fields& fields_;
-  const Outline& outline_;
+  const PatchOutline& outline_;
   std::vector<Index> vertices_;
   Index pinned_ = 0;
   std::vector<std::array<Index, 2>> numbers_;  // (vertex, local number), sorted

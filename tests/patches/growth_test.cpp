@@ -32,7 +32,7 @@ TEST_CASE("a corner that bends inwards is filled") {
   for (int i = 0; i < 3; ++i) patch.add_face(mesh.faces_of(v)[i]);
   REQUIRE(patch.close(100));
   CHECK(patch.faces().size() == 4);
-  Outline outline;
+  PatchOutline outline;
   REQUIRE(patch.outline(outline));
   CHECK(outline.loop.size() == 8);
   CHECK(outline.corner == std::vector<Index>{0, 2, 4, 6});
@@ -56,7 +56,7 @@ TEST_CASE("faces that are not one disk have no outline") {
   const QuadTopology mesh(grid(8, 8));
   const IdealValence ideal(mesh);
   PatchGrowth patch(mesh, ideal);
-  Outline outline;
+  PatchOutline outline;
   patch.clear();  // two pieces
   patch.add_star(vertex_at(mesh, {2, 2}));
   patch.add_star(vertex_at(mesh, {6, 6}));
@@ -101,7 +101,7 @@ TEST_CASE("walls are not crossed") {
   patch.clear();  // below the wall: its vertices are on the rim
   for (Index f = 0; f < mesh.face_slots(); ++f)
     if (mesh.point(mesh.face(f)[0]).y < 2) patch.add_face(f);
-  Outline outline;
+  PatchOutline outline;
   REQUIRE(patch.close(100));
   REQUIRE(patch.outline(outline));
   CHECK(outline.loop.size() == 12);
