@@ -17,6 +17,9 @@ constexpr std::uint64_t patch_stream = 5;  // of random numbers
 // a pass, and how far random patches reach.
 constexpr double annealing_weight = 2, coolest = 0.4;
 constexpr int random_targets = 4, random_rings = 3;
+// The search ends early where patches hardly ever help, as in outlines full of needles: after this
+// many tries in a pass, when fewer than one in `worth_trying` was accepted (usual: one in six).
+constexpr Index enough_tries = 1000, worth_trying = 20;
 
 // Patches from the star of v along the ways to the nearest irregular vertices.
 Refit refit_towards_others(Refitter& refitter, Search& search, Index v, const RefitRule& rule) {
@@ -80,6 +83,7 @@ void PatchRemesher::begin_pass() {
   queue_.clear();
   queued_.assign(mesh_.vertex_count(), 0);
   next_ = 0;
+  tried_ = refilled_ = 0;
   for (Index v = 0; v < mesh_.vertex_count(); ++v)
     if (mesh_.valence(v) > 0 && !ideal_.is_regular(mesh_, v)) {
       queue_.push_back(v);
@@ -104,6 +108,7 @@ void PatchRemesher::end_pass() {
 
 void PatchRemesher::note_changes(const Refitter& refitter) {
   ++stats_.refilled;
+  ++refilled_;
   queued_.resize(mesh_.vertex_count(), 0);
   for (const Index w : refitter.changed())
     if (!queued_[w] && !ideal_.is_regular(mesh_, w)) {
@@ -123,7 +128,11 @@ void PatchRemesher::refit_in_order(Refitter& refitter, Search& search, int seeds
     if (result != Refit::done) result = refit_rings(refitter, v, rule);
     if (result == Refit::done) note_changes(refitter);
   }
-  if (next_ == queue_.size()) end_pass();
+  tried_ += refitter.tried();
+  if (tried_ > enough_tries && refilled_ * worth_trying < tried_)
+    pass_ = options_.passes.size();
+  else if (next_ == queue_.size())
+    end_pass();
 }
 
 void PatchRemesher::refit_at_random(Refitter& refitter, Search& search, int trials) {

@@ -74,6 +74,7 @@ class PatchRemesher {
   std::vector<Index> queue_;
   std::vector<char> queued_;  // #V
   std::size_t next_ = 0, pass_ = 0;
+  Index tried_ = 0, refilled_ = 0;     // in this pass
   Index trials_ = 0, all_trials_ = 0;  // of a random pass: left, and at its start
   Rng rng_;
   PatchStats stats_;

@@ -23,6 +23,7 @@ constexpr int paper_smoothing = 100, best_smoothing = 300, long_smoothing = 600;
 constexpr int smoothing_block = 100;
 constexpr int steps_before_patches = 20;
 constexpr double fine_rounding = 0.003;  // of the final smoothing, after a block of the coarse one
+constexpr double least_gain = 2e-4;      // of mean eta, that another block is worth
 constexpr int seeds_per_step = 50;
 // Shares of Options::size_weight: of an edge's length (per edge and side), of a quad's area.
 constexpr double edge_share = 0.5, area_share = 2;
@@ -314,9 +315,12 @@ void Mesher::smooth() {
   SmoothOptions options = shape_smoothing(options_);
   options.iterations = steps;
   options.rounding = smoothed_ == 0 ? coarse_rounding : fine_rounding;
+  const double before = quad_quality(quads_).eta_mean;
   smooth_eta(quads_, *fields_, options);
   smoothed_ += steps;
-  if (smoothed_ < smoothing()) return;
+  const bool converged =
+      smoothed_ > smoothing_block && quad_quality(quads_).eta_mean - before < least_gain;
+  if (smoothed_ < smoothing() && !converged) return;
   if (trace_) trace_->quads.push_back({"smoothed", quads_});
   report_.chain += " + smoothing";
   stage_ = Stage::check;
