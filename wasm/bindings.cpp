@@ -74,6 +74,12 @@ val write_mesh_text(const val& mesh_object, const std::string& format, const val
 class JsSession {
  public:
   explicit JsSession(Session session) : session_(std::move(session)) {}
+  /// {session}, whose owner is JavaScript.
+  static val handle(Session session) {
+    val result = val::object();
+    result.set("session", val(std::make_shared<JsSession>(std::move(session))));
+    return result;
+  }
 
   val step(int n) {
     return advance([&] { return session_.step(n); });
@@ -81,7 +87,7 @@ class JsSession {
   val restore(int k) {
     return advance([&] { return session_.restore(k); });
   }
-  std::shared_ptr<JsSession> clone() const { return std::make_shared<JsSession>(session_); }
+  val clone() const { return handle(session_); }
 
   val state() const {
     const Mesher& m = session_.mesher();
@@ -95,7 +101,7 @@ class JsSession {
   }
   val result() const {
     const Mesher& m = session_.mesher();
-    return guarded([&] { return mesh_result(m.output(), m.report(), m.options()); });
+    return mesh_result(m.output(), m.report(), m.options());
   }
 
   val triangles() const {
@@ -182,10 +188,13 @@ val start_session(const val& packed, const val& option_object, const val& fields
     auto session = Session::start(domain_from(packed), *options, fields_from(fields),
                                   memory ? Session::Memory::everything : Session::Memory::nothing);
     if (!session) return failure(session.error());
-    val result = val::object();
-    result.set("session", val(std::make_shared<JsSession>(std::move(*session))));
-    return result;
+    return JsSession::handle(std::move(*session));
   });
+}
+
+template <val (JsSession::*look)() const>
+val looked(const JsSession& session) {
+  return guarded([&] { return (session.*look)(); });
 }
 
 }  // namespace
@@ -200,15 +209,15 @@ EMSCRIPTEN_BINDINGS(lpquad) {
       .smart_ptr<std::shared_ptr<JsSession>>("Session")
       .function("step", &JsSession::step)
       .function("restore", &JsSession::restore)
-      .function("clone", &JsSession::clone)
+      .function("clone", &looked<&JsSession::clone>)
       .function("state", &JsSession::state)
-      .function("result", &JsSession::result)
-      .function("triangles", &JsSession::triangles)
-      .function("cells", &JsSession::cells)
-      .function("crosses", &JsSession::crosses)
-      .function("sizes", &JsSession::sizes)
-      .function("matching", &JsSession::matching)
-      .function("quads", &JsSession::quads);
+      .function("result", &looked<&JsSession::result>)
+      .function("triangles", &looked<&JsSession::triangles>)
+      .function("cells", &looked<&JsSession::cells>)
+      .function("crosses", &looked<&JsSession::crosses>)
+      .function("sizes", &looked<&JsSession::sizes>)
+      .function("matching", &looked<&JsSession::matching>)
+      .function("quads", &looked<&JsSession::quads>);
 }
 
 }  // namespace lpq

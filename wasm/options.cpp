@@ -26,6 +26,7 @@ requires(std::is_arithmetic_v<Number>) std::string read(const val& value, Number
     if (!(number >= -largest && number <= largest) ||
         number != static_cast<double>(static_cast<std::int64_t>(number)))
       return "a whole number";
+    if (std::is_unsigned_v<Number> && number < 0) return "0 or more";
     if constexpr (sizeof(Number) < 8)
       if (number < -2147483648.0 || number > 2147483647.0) return "a smaller number";
   }

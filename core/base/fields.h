@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <type_traits>
 
@@ -31,6 +32,13 @@ const char* choice_name(E value) {
   return ChoiceNames<E>::names[static_cast<std::size_t>(value)];
 }
 
+/// A number in a sentence: six digits, no zeros to fill up.
+inline std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
 /// First option out of range (or NaN), if any.
 template <class O>
 Result<int> check_ranges(const O& options) {
@@ -43,9 +51,9 @@ Result<int> check_ranges(const O& options) {
       if (found || (number >= info.min && number <= info.max)) return;
       found = true;
       bad.code = ErrorCode::bad_option;
-      bad.message = std::string("Option ") + name + " is " + std::to_string(number) +
-                    ", but it must lie between " + std::to_string(info.min) + " and " +
-                    std::to_string(info.max) + ".";
+      bad.message = std::string("Option ") + name + " is " + short_number(number) +
+                    ", but it must lie between " + short_number(info.min) + " and " +
+                    short_number(info.max) + ".";
     }
   });
   if (found) return bad;

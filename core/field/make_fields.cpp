@@ -27,24 +27,25 @@ constexpr double coarsening_depth = 20;
 
 bool good_size(double h) { return std::isfinite(h) && h > 0; }
 
-Error bad_size(std::string message, Vec2 at, bool has_point) {
-  Error error{ErrorCode::bad_size, std::move(message), {}};
-  error.where.has_point = has_point;
+Error error_at(ErrorCode code, std::string message, Vec2 at) {
+  Error error{code, std::move(message), {}};
+  error.where.has_point = true;
   error.where.x = at.x;
   error.where.y = at.y;
   return error;
 }
+Error bad_size(std::string message) { return {ErrorCode::bad_size, std::move(message), {}}; }
 
 std::optional<Error> judge(const FieldOptions& options) {
   if (!(options.size == 0 || good_size(options.size)))
-    return bad_size("The mesh size must be a positive number.", {}, false);
-  if (!good_size(options.growth))
-    return bad_size("The growth of sizes must be positive.", {}, false);
+    return bad_size("The mesh size must be a positive number.");
+  if (!good_size(options.growth)) return bad_size("The growth of sizes must be positive.");
   if (!(std::isfinite(options.coarseness) && options.coarseness >= 0.25))
-    return bad_size("The coarseness of the background must be at least 0.25.", {}, false);
+    return bad_size("The coarseness of the background must be at least 0.25.");
   for (const SizeSample& s : options.sizes)
     if (!good_size(s.h) || !is_finite(s.position))
-      return bad_size("A mesh size given at a point must be a positive number.", s.position, true);
+      return error_at(ErrorCode::bad_size,
+                      "A mesh size given at a point must be a positive number.", s.position);
   return std::nullopt;
 }
 
@@ -81,7 +82,8 @@ std::optional<Error> complete_sizes(const TriMesh& mesh, const BoundaryMesh& bou
                                     const FieldOptions& options, std::span<double> h) {
   for (std::size_t v = 0; v < h.size(); ++v)
     if (!(h[v] > 0) || (options.size_function && !std::isfinite(h[v])))
-      return bad_size("The mesh size is not a positive number here.", mesh.points[v], true);
+      return error_at(ErrorCode::bad_size, "The mesh size is not a positive number here.",
+                      mesh.points[v]);
   apply_samples(mesh, options, h);
   limit_by_walls(boundary, h);
   limit_growth(mesh, options.growth, h);
@@ -100,12 +102,15 @@ double interpolate(const TriMesh& mesh, std::span<const double> h, Index t, cons
   return w[0] * h[a] + w[1] * h[b] + w[2] * h[c];
 }
 
-std::vector<Vec2> crosses(const TriMesh& mesh, const FieldOptions& options) {
+Result<std::vector<Vec2>> crosses(const TriMesh& mesh, const FieldOptions& options) {
   if (!options.angle_function) return solve_cross_field(mesh);
   std::vector<Vec2> z;
   z.reserve(mesh.points.size());
   for (const Vec2 p : mesh.points) {
-    const auto [s, c] = sin_cos(4 * options.angle_function(p));
+    const double angle = options.angle_function(p);
+    if (!std::isfinite(angle))
+      return error_at(ErrorCode::non_finite, "The direction is not a finite number here.", p);
+    const auto [s, c] = sin_cos(4 * angle);
     z.push_back({c, s});
   }
   return z;
@@ -159,7 +164,9 @@ Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& opt
   }
   if (auto error = complete_sizes(fields.background, boundary, options, fields.h))
     return std::move(*error);
-  fields.z = crosses(fields.background, options);
+  auto z = crosses(fields.background, options);
+  if (!z) return z.error();
+  fields.z = std::move(*z);
   fields.singularities = find_singularities(fields.background, fields.z);
   fields.attach();
   return fields;

@@ -28,7 +28,8 @@ struct FieldOptions {
 /// (cos 4 theta, sin 4 theta) with the walls' directions as Dirichlet data on wall *edges*
 /// (Crouzeix-Raviart unknowns, so a corner never averages two directions), size field by Laplace on
 /// log h from the spacing (or the caller's), limited to the given growth.
-/// Errors: bad_size.  Cost: two sparse Cholesky factorisations of the background.
+/// Errors: bad_size; non_finite for an angle.  Cost: two sparse Cholesky factorisations of the
+/// background.
 Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& options = {});
 
 }  // namespace lpq

@@ -64,7 +64,7 @@ Error describe(const std::vector<Violation>& violations) {
   Error error;
   error.code = ErrorCode::no_valid_mesh;
   error.message = "No valid mesh was found: " + first.what +
-                  ". Try a smaller size, or let the boundary be refined instead of kept.";
+                  " Try a smaller size, or let the boundary be refined instead of kept.";
   error.where.has_point = true;
   error.where.x = first.point.x;
   error.where.y = first.point.y;

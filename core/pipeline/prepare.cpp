@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "field/make_fields.h"
 
@@ -10,6 +11,8 @@ namespace {
 
 // A domain that comes without any size gets about this many quads.
 constexpr double default_quads = 1000;
+// A mesh size of fewer steps between neighbouring coordinates leaves no room for shapes.
+constexpr double least_steps = 16;
 
 Error size_error(std::string message) { return {ErrorCode::bad_size, std::move(message), {}}; }
 
@@ -20,6 +23,16 @@ double diagonal(const Domain& domain) {
     hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
   }
   return length(hi - lo);
+}
+
+// The distance, in the unit frame, of neighbouring doubles among the caller's coordinates.
+double coordinate_step(const Domain& domain) {
+  double largest = 0;
+  for (const Vec2 p : domain.points) {
+    const Vec2 world = domain.frame.to_world(p);
+    largest = std::max({largest, std::abs(world.x), std::abs(world.y)});
+  }
+  return domain.frame.length_to_frame(largest) * std::numeric_limits<double>::epsilon();
 }
 
 // The constant target in the unit frame; 0 means: follow the kept boundary's spacing.
@@ -33,15 +46,22 @@ double target_size(const Domain& domain, const Options& options) {
 Result<double> judge_size(const Domain& domain, const Options& options) {
   const double size = target_size(domain, options);
   if (size > diagonal(domain))
-    return size_error("The mesh size " + std::to_string(domain.frame.length_to_world(size)) +
+    return size_error("The mesh size " + short_number(domain.frame.length_to_world(size)) +
                       " is larger than the whole domain (diagonal " +
-                      std::to_string(domain.frame.length_to_world(diagonal(domain))) +
+                      short_number(domain.frame.length_to_world(diagonal(domain))) +
                       "). Check the unit of length.");
+  if (size > 0 && size < least_steps * coordinate_step(domain))
+    return Error{
+        ErrorCode::lost_precision,
+        "Beside coordinates this far from the origin, doubles cannot hold a mesh of size " +
+            short_number(domain.frame.length_to_world(size)) +
+            ". Move the domain closer to the origin, or use a larger size.",
+        {}};
   const double estimate = size > 0 ? domain.area / (size * size) : 0;
   if (estimate > options.max_elements)
     return Error{
         ErrorCode::too_many_elements,
-        "About " + std::to_string(estimate) + " elements would be needed, more than the limit of " +
+        "About " + short_number(estimate) + " elements would be needed, more than the limit of " +
             std::to_string(options.max_elements) + ". Use a larger size or raise maxElements.",
         {}};
   return size;
@@ -77,6 +97,13 @@ FieldOptions field_options(const UnitFrame& frame, const Options& options, const
   return fields;
 }
 
+// The fields know the unit frame only; people know their own coordinates.
+Error in_world(Error error, const UnitFrame& frame) {
+  const Vec2 at = frame.to_world({error.where.x, error.where.y});
+  if (error.where.has_point) error.where.x = at.x, error.where.y = at.y;
+  return error;
+}
+
 }  // namespace
 
 Result<Preparation> prepare(const DomainInput& input, const Options& options,
@@ -99,7 +126,7 @@ Result<Preparation> prepare(const DomainInput& input, const Options& options,
 
   auto fields =
       make_fields(prepared.boundary, field_options(prepared.domain.frame, options, user, *size));
-  if (!fields) return fields.error();
+  if (!fields) return in_world(fields.error(), prepared.domain.frame);
   prepared.fields = std::move(*fields);
   return prepared;
 }

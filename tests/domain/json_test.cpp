@@ -36,6 +36,18 @@ TEST_CASE("plain loops") {
   CHECK(input->h == 0.5);
 }
 
+TEST_CASE("tags beside the loops of one region are its tags") {
+  for (const char* text : {R"({"loops": [[[0,0],[1,0],[1,1]]], "tags": [["in", "", "out"]]})",
+                           R"({"tags": [["in", "", "out"]], "loops": [[[0,0],[1,0],[1,1]]]})"}) {
+    const auto input = parse_domain_json(text);
+    REQUIRE(input.has_value());
+    REQUIRE(input->regions.size() == 1);
+    REQUIRE(input->regions[0].tags.size() == 1);
+    CHECK(input->regions[0].tags[0] == std::vector<std::string>{"in", "", "out"});
+  }
+  CHECK(!parse_domain_json(R"({"tags": [["a"]], "regions": [{"loops": [[[0,0],[1,0],[1,1]]]}]})"));
+}
+
 TEST_CASE("regions, tags, polylines and points") {
   const auto input = parse_domain_json(R"({
     "regions": [{"name": "steel", "loops": [[[0,0],[1,0],[1,1]]], "tags": [["in", "", "out"]]},
@@ -51,6 +63,14 @@ TEST_CASE("regions, tags, polylines and points") {
   REQUIRE(input->points.size() == 2);
   CHECK(input->points[0].position == Vec2{0.7, 0.1});
   CHECK(input->points[1].tag == "probe");
+
+  const auto again = parse_domain_json(write_domain_json(*input));
+  REQUIRE(again.has_value());
+  CHECK(again->regions[0].loops == input->regions[0].loops);
+  CHECK(again->regions[0].tags == input->regions[0].tags);
+  CHECK(again->regions[1].loops == input->regions[1].loops);
+  CHECK(again->polylines[0].points == input->polylines[0].points);
+  CHECK(again->points[1].tag == "probe");
 }
 
 TEST_CASE("wrong kinds of value are named by their path") {

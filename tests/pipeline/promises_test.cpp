@@ -107,6 +107,24 @@ TEST_CASE("sizes that make no sense are refused before any work") {
   CHECK(code(INFINITY) == ErrorCode::bad_size);
   CHECK(code(5) == ErrorCode::bad_size);
   CHECK(code(1e-9) == ErrorCode::too_many_elements);
+
+  const Loop far{{1e15, 1e15}, {1e15 + 8, 1e15}, {1e15 + 8, 1e15 + 8}, {1e15, 1e15 + 8}};
+  DomainInput input;
+  input.regions.push_back({"", {far}, {}});
+  const auto outcome = mesh_domain(input, {.size = 0.1});
+  REQUIRE(!outcome.has_value());
+  CHECK(outcome.error().code == ErrorCode::lost_precision);
+  CHECK(mesh_domain(input, {.size = 4}).has_value());
+}
+
+TEST_CASE("a size that is wrong at a point is refused at that point of the caller's") {
+  UserFields user;
+  user.sizes = {{{0.75, 0.5}, -1}};
+  const auto outcome = mesh_domain(square(3, 0.1), {}, {}, nullptr, user);
+  REQUIRE(!outcome.has_value());
+  CHECK(outcome.error().code == ErrorCode::bad_size);
+  CHECK(outcome.error().where.x == 0.75);
+  CHECK(outcome.error().where.y == 0.5);
 }
 
 TEST_CASE("the target size is met") {

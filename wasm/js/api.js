@@ -2,6 +2,7 @@
 import { packDomain } from './domain.js';
 import { LpquadError, unwrap } from './errors.js';
 import { splitOptions } from './fields.js';
+import { checkMesh, checkNames, checkSource, checkWhole } from './checks.js';
 
 /** Layers a snapshot can hold, by name. */
 const layerNames = ['triangles', 'cells', 'crosses', 'sizes', 'matching', 'quads'];
@@ -39,8 +40,14 @@ export class Session {
   }
 
   get state() { return this.#live().state(); }
-  step(n = 1) { return this.#move(() => this.#live().step(n)); }
-  restore(tick) { return this.#move(() => this.#live().restore(tick)); }
+  step(ticks = 1) {
+    checkWhole(ticks, 'The number of ticks');
+    return this.#move(() => this.#live().step(ticks));
+  }
+  restore(tick) {
+    checkWhole(tick, 'The tick to restore');
+    return this.#move(() => this.#live().restore(tick));
+  }
 
   finish() {
     while (this.state.stage !== 'done') this.step(1000);
@@ -48,17 +55,14 @@ export class Session {
   }
 
   snapshot(layers = {}) {
-    for (const name of Object.keys(layers))
-      if (!layerNames.includes(name))
-        throw new LpquadError('BAD_OPTION',
-          `There is no layer '${name}'; the layers are ${layerNames.join(', ')}.`);
+    checkNames(layers, layerNames, 'layer');
     const snapshot = this.#live().state();
     for (const name of layerNames)
       if (layers[name]) snapshot[name] = unwrap(this.#live()[name]());
     return snapshot;
   }
 
-  clone() { return new Session(this.#live().clone(), this.#thrown); }
+  clone() { return new Session(unwrap(this.#live().clone()).session, this.#thrown); }
 
   dispose() {
     this.#handle?.delete();
@@ -103,20 +107,25 @@ export class Lpquad {
 
   start(domain, options) {
     const { memory = true, ...rest } = options ?? {};
-    const { table, fields, thrown } = splitOptions(rest);
+    const { table, fields, thrown, onProgress } = splitOptions(rest);
+    if (onProgress !== undefined)
+      throw new LpquadError('BAD_OPTION', 'A session has no onProgress: step() returns its state.');
     const packed = packDomain(domain);
     const raw = call(thrown, () => this.#module.start(packed, table, fields, memory));
     return new Session(unwrap(raw).session, thrown);
   }
 
-  async readDomain(source, { name = '', format = '' } = {}) {
-    const bytes = source instanceof ArrayBuffer ? new Uint8Array(source) : source;
+  async readDomain(source, options = {}) {
+    const bytes = checkSource(source);
+    checkNames(options, ['name', 'format'], 'option of readDomain');
+    const { name = '', format = '' } = options;
     const readers = await this.#readers();
-    const { text, warnings } = unwrap(readers.readDomain(bytes, format, name));
+    const { text, warnings } = unwrap(readers.readDomain(bytes, String(format), String(name)));
     return { ...JSON.parse(text), warnings: JSON.parse(warnings) };
   }
 
   writeMesh(mesh, format, options = {}) {
-    return unwrap(this.#module.writeMesh(mesh, format, options)).text;
+    checkMesh(mesh);
+    return unwrap(this.#module.writeMesh(mesh, String(format), options)).text;
   }
 }

@@ -67,8 +67,10 @@ export class LpquadWorker {
         this.#worker.post({ id, op, ...args, withProgress: onProgress !== undefined }, transfer);
       } catch (cause) {
         this.#calls.delete(id);
+        this.#worker.busy?.(this.#calls.size > 0);
         reject(new LpquadError('BAD_OPTION',
-          'Functions do not cross into a worker; give sizes as samples instead.', {}, { cause }));
+          `This does not cross into a worker (${cause.message}). Functions never do: give sizes as ` +
+          'samples, and onProgress and signal as the last argument.', {}, { cause }));
       }
     }), { id });
   }

@@ -11,33 +11,53 @@ function describe(value) {
   if (Array.isArray(value)) return `an array of ${value.length}`;
   if (typeof value === 'string') return `the text ${JSON.stringify(value.slice(0, 40))}`;
   if (typeof value === 'object') return 'an object';
+  if (typeof value === 'function') return 'a function';
   return String(value);
 }
 
 const isList = (value) =>
   Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
 
-/** Appends the points of [[x, y], ..] or of a flat [x0, y0, x1, ..]; returns their number. */
-function appendPoints(out, value, path) {
-  if (!isList(value)) fail(path, 'an array of points', value);
-  const nested = value.length > 0 && typeof value[0] !== 'number';
-  if (!nested && value.length % 2 !== 0) fail(path, 'an even count of numbers x, y, x, y, …', value);
-  if (nested) value.forEach((point, i) => appendPoint(out, point, `${path}[${i}]`));
-  else for (let i = 0; i < value.length; ++i) appendNumber(out, value[i], `${path}[${i}]`);
-  return nested ? value.length : value.length / 2;
+function checkList(value, path, expected) {
+  if (!isList(value)) fail(path, expected, value);
+  return value;
 }
 
-function appendPoint(out, value, path) {
-  if (!isList(value) || value.length !== 2) fail(path, 'a point [x, y]', value);
-  appendNumber(out, value[0], `${path}[0]`);
-  appendNumber(out, value[1], `${path}[1]`);
+/** Refuses members that nothing would read: a misspelt one would be missed in silence. */
+function checkObject(value, path, known) {
+  if (value === null || typeof value !== 'object') fail(path, 'an object', value);
+  for (const key of Object.keys(value))
+    if (!known.includes(key))
+      throw new LpquadError('PARSE_ERROR',
+        `${path}.${key} is not known; ${path} has ${known.slice(0, -1).join(', ')} and ${known.at(-1)}.`);
 }
 
-function appendNumber(out, value, path) {
+function appendNumber(out, value, path, where) {
   if (typeof value !== 'number') fail(path, 'a number', value);
   if (!Number.isFinite(value))
-    throw new LpquadError('NON_FINITE', `${path} is ${value}; coordinates must be finite.`);
+    throw new LpquadError('NON_FINITE', `${path} is ${value}; it must be finite.`, where);
   out.push(value);
+}
+
+function appendPoint(out, value, path, where) {
+  if (!isList(value) || value.length !== 2) fail(path, 'a point [x, y]', value);
+  appendNumber(out, value[0], `${path}[0]`, where);
+  appendNumber(out, value[1], `${path}[1]`, where);
+}
+
+/**
+ * Appends the points of [[x, y], ..] or of a flat [x0, y0, x1, ..]; returns their number. The first
+ * entry tells which of the two it is.
+ */
+function appendPoints(out, value, path, where = {}) {
+  checkList(value, path, 'an array of points');
+  const nested = value.length > 0 && isList(value[0]);
+  if (!nested && value.length % 2 !== 0) fail(path, 'an even count of numbers x, y, x, y, …', value);
+  const count = nested ? value.length : value.length / 2;
+  for (let i = 0; i < value.length; ++i)
+    if (nested) appendPoint(out, value[i], `${path}[${i}]`, { ...where, edge: i });
+    else appendNumber(out, value[i], `${path}[${i}]`, { ...where, edge: i >> 1 });
+  return count;
 }
 
 /** Numbers names as they come; '' and undefined are -1, no name. */
@@ -52,72 +72,77 @@ class Names {
   }
 }
 
-function packLoops(packed, region, path, names) {
-  const loops = region.loops;
-  if (!Array.isArray(loops)) fail(`${path}.loops`, 'an array of loops', loops);
+function packTags(packed, tags, size, path, names) {
+  checkList(tags, path, 'an array of texts, one per edge');
+  if (tags.length > 0 && tags.length !== size) fail(path, `as long as its loop (${size})`, tags);
+  for (let e = 0; e < size; ++e) packed.edgeTags.push(names.number(tags[e], `${path}[${e}]`));
+}
+
+function packLoops(packed, { loops, tags }, path, region, names) {
+  checkList(loops, `${path}.loops`, 'an array of loops');
+  checkList(tags ?? [], `${path}.tags`, 'an array with the tags of each loop');
+  if ((tags?.length ?? 0) > loops.length) fail(`${path}.tags`, 'no longer than the loops', tags);
   packed.loopsPerRegion.push(loops.length);
-  loops.forEach((loop, l) => {
-    const size = appendPoints(packed.points, loop, `${path}.loops[${l}]`);
+  loops.forEach((points, loop) => {
+    const size = appendPoints(packed.points, points, `${path}.loops[${loop}]`, { region, loop });
     packed.sizes.push(size);
-    const tags = region.tags?.[l] ?? [];
-    if (!Array.isArray(tags)) fail(`${path}.tags[${l}]`, 'an array of texts, one per edge', tags);
-    if (tags.length > 0 && tags.length !== size)
-      fail(`${path}.tags[${l}]`, `as long as its loop (${size} edges)`, tags);
-    for (let e = 0; e < size; ++e)
-      packed.edgeTags.push(names.number(tags[e], `${path}.tags[${l}][${e}]`));
+    packTags(packed, tags?.[loop] ?? [], size, `${path}.tags[${loop}]`, names);
   });
 }
 
-function checkKeys(domain) {
-  const known = ['loops', 'regions', 'tags', 'polylines', 'points', 'h'];
-  const described = ['name', 'description', 'source', 'licence', 'license', 'warnings'];
-  for (const key of Object.keys(domain))
-    if (!known.includes(key) && !described.includes(key))
-      throw new LpquadError('PARSE_ERROR',
-        `domain.${key} is not a part of a domain; its parts are ${known.join(', ')}.`);
+// What domain files say about themselves; accepted and not read.
+const comments = ['name', 'description', 'source', 'licence', 'license', 'warnings'];
+
+function packRegions(packed, domain, names) {
+  checkObject(domain, 'domain', ['loops', 'tags', 'regions', 'polylines', 'points', 'h', ...comments]);
+  if (domain.regions === undefined) {
+    packed.regions.push('');
+    return packLoops(packed, domain, 'domain', 0, names);
+  }
+  if (domain.loops !== undefined || domain.tags !== undefined)
+    throw new LpquadError('PARSE_ERROR',
+      'domain has regions, so its loops and tags belong into them, not beside them.');
+  checkList(domain.regions, 'domain.regions', 'an array of regions').forEach((region, r) => {
+    const path = `domain.regions[${r}]`;
+    checkObject(region, path, ['loops', 'tags', 'name']);
+    if (typeof (region.name ?? '') !== 'string') fail(`${path}.name`, 'a text', region.name);
+    packed.regions.push(region.name ?? '');
+    packLoops(packed, region, path, r, names);
+  });
 }
 
-/**
- * @param {import('./index.js').Domain} domain
- */
-export function packDomain(domain) {
-  if (domain === null || typeof domain !== 'object') fail('domain', 'an object', domain);
-  checkKeys(domain);
-  const packed = { regions: [], loopsPerRegion: [], sizes: [], points: [], tags: [], edgeTags: [],
-    polylineTags: [], pointTags: [], h: 0 };
-  const names = new Names();
-  if (domain.loops !== undefined && domain.regions !== undefined)
-    fail('domain', 'given by loops or by regions', 'both');
-  const regions = domain.regions ?? [domain];
-  if (!Array.isArray(regions)) fail('domain.regions', 'an array of regions', regions);
-  regions.forEach((region, r) => {
-    const path = domain.regions === undefined ? 'domain' : `domain.regions[${r}]`;
-    if (region === null || typeof region !== 'object') fail(path, 'an object', region);
-    const name = domain.regions === undefined ? '' : region.name ?? '';
-    if (typeof name !== 'string') fail(`${path}.name`, 'a text', name);
-    packed.regions.push(name);
-    packLoops(packed, region, path, names);
+function packPolylines(packed, lines, names) {
+  checkList(lines, 'domain.polylines', 'an array of polylines').forEach((line, i) => {
+    const path = `domain.polylines[${i}]`;
+    checkObject(line, path, ['points', 'tag']);
+    packed.sizes.push(appendPoints(packed.points, line.points, `${path}.points`));
+    packed.polylineTags.push(names.number(line.tag, `${path}.tag`));
   });
-  (domain.polylines ?? []).forEach((line, i) => {
-    packed.sizes.push(appendPoints(packed.points, line.points, `domain.polylines[${i}].points`));
-    packed.polylineTags.push(names.number(line.tag, `domain.polylines[${i}].tag`));
-  });
-  (domain.points ?? []).forEach((point, i) => {
+}
+
+function packPoints(packed, points, names) {
+  checkList(points, 'domain.points', 'an array of points').forEach((point, i) => {
     const path = `domain.points[${i}]`;
-    appendPoint(packed.points, isList(point) ? point : point?.position, path);
+    if (isList(point)) appendPoint(packed.points, point, path);
+    else {
+      checkObject(point, path, ['position', 'tag']);
+      appendPoint(packed.points, point.position, `${path}.position`);
+    }
     packed.pointTags.push(names.number(point.tag, `${path}.tag`));
   });
-  if (domain.h !== undefined) {
-    const h = [];
-    appendNumber(h, domain.h, 'domain.h');
-    packed.h = h[0];
-  }
-  packed.tags = names.list;
-  return typed(packed);
 }
 
-function typed(packed) {
-  return { ...packed, points: Float64Array.from(packed.points),
+/** @param {import('./index.js').Domain} domain */
+export function packDomain(domain) {
+  const packed = { regions: [], loopsPerRegion: [], sizes: [], points: [], edgeTags: [],
+    polylineTags: [], pointTags: [] };
+  const names = new Names(), h = [0];
+  packRegions(packed, domain, names);
+  packPolylines(packed, domain.polylines ?? [], names);
+  packPoints(packed, domain.points ?? [], names);
+  if (domain.h !== undefined) appendNumber(h, domain.h, 'domain.h');
+  return { regions: packed.regions, tags: names.list, h: h.at(-1),
+    points: Float64Array.from(packed.points),
     loopsPerRegion: Int32Array.from(packed.loopsPerRegion), sizes: Int32Array.from(packed.sizes),
     edgeTags: Int32Array.from(packed.edgeTags),
     polylineTags: Int32Array.from(packed.polylineTags),

@@ -4,14 +4,18 @@ import { LpquadError } from './errors.js';
 const wrong = (name, expected) =>
   new LpquadError('BAD_OPTION', `Option ${name} must be ${expected}.`);
 
+const isList = (value) => Array.isArray(value) || ArrayBuffer.isView(value);
+
 /** [[x, y, h], ..] or a flat [x0, y0, h0, ..] */
-function flatSamples(sizes) {
-  if (sizes === undefined) return new Float64Array();
-  const list = Array.isArray(sizes) && Array.isArray(sizes[0]) ? sizes.flat() : sizes;
-  const flat = Float64Array.from(list ?? []);
-  if (flat.length % 3 !== 0 || !flat.every(Number.isFinite))
-    throw wrong('sizes', 'points with a target size each: [[x, y, h], …]');
-  return flat;
+function flatSamples(sizes = []) {
+  const nested = isList(sizes) && isList(sizes[0]);
+  const form = !isList(sizes) ? false
+    : nested ? sizes.every((sample) => isList(sample) && sample.length === 3)
+    : sizes.length % 3 === 0;
+  const flat = !form ? [] : nested ? sizes.flatMap((sample) => [...sample]) : [...sizes];
+  if (!form || !flat.every(Number.isFinite))
+    throw wrong('sizes', 'points with a target size each: [[x, y, h], …], all finite numbers');
+  return Float64Array.from(flat);
 }
 
 /** A caller's function that throws must not unwind the core: the error is kept until it is back. */
@@ -35,11 +39,11 @@ function guarded(name, f, kept) {
 export function splitOptions(options = {}) {
   if (options === null || typeof options !== 'object')
     throw new LpquadError('BAD_OPTION', 'The options must be an object.');
-  const { sizes, sizeAt, angleAt, onProgress, signal, ...table } = options;
+  const { sizes, sizeAt, angleAt, onProgress, ...table } = options;
   const thrown = [];
   const fields = { sizes: flatSamples(sizes), size: guarded('sizeAt', sizeAt, thrown),
     angle: guarded('angleAt', angleAt, thrown) };
   if (onProgress !== undefined && typeof onProgress !== 'function')
     throw wrong('onProgress', 'a function');
-  return { table, fields, onProgress, signal, thrown };
+  return { table, fields, onProgress, thrown };
 }

@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" />
 /**
  * lpquad: quadrilateral meshes of plane domains.
  *
@@ -279,7 +280,8 @@ export interface Lpquad extends Description {
 export interface WasmSource {
   wasmUrl?: string | URL;
   wasmBinary?: ArrayBuffer | Uint8Array;
-  wasmModule?: WebAssembly.Module;
+  /** A `WebAssembly.Module`; not named so, since projects for Node alone may not declare it. */
+  wasmModule?: object;
   /** Of lpquad-readers.wasm, which readDomain loads. */
   readersUrl?: string | URL;
 }

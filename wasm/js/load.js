@@ -1,5 +1,6 @@
 // From bytes, an address or a compiled module to a running instance.
 import { Lpquad } from './api.js';
+import { checkNames } from './checks.js';
 import { LpquadError } from './errors.js';
 import createModule from './glue.js';
 
@@ -26,24 +27,35 @@ export async function compileUrl(url) {
   try {
     response = await fetch(url);
   } catch (cause) {
-    throw new LpquadError('BAD_WASM', `${url} could not be loaded: ${cause.message}`, {}, { cause });
+    throw new LpquadError('BAD_WASM', `${url} could not be loaded (${cause.message}).`, {}, { cause });
   }
   if (!response.ok)
     throw new LpquadError('BAD_WASM', `${url} could not be loaded: status ${response.status}.`);
   // Not compileStreaming: it insists on a MIME type that many servers do not send.
-  return WebAssembly.compile(checkMagic(await response.arrayBuffer(), url));
+  return compileBytes(await response.arrayBuffer(), url);
+}
+
+export async function compileBytes(bytes, from) {
+  try {
+    return await WebAssembly.compile(checkMagic(bytes, from));
+  } catch (cause) {
+    if (cause instanceof LpquadError) throw cause;
+    throw new LpquadError('BAD_WASM', `What was loaded from ${from} is cut off or broken.`, {}, { cause });
+  }
 }
 
 /** @returns {Promise<any>} the exports of the module with its glue */
 function instantiate(createModule, wasmModule) {
   return new Promise((resolve, reject) => {
+    const refuse = (cause) => reject(new LpquadError('BAD_WASM',
+      'This WebAssembly is not that of this version of lpquad.', {}, { cause }));
     createModule({
       instantiateWasm(imports, done) {
-        WebAssembly.instantiate(wasmModule, imports).then(done, reject);
+        WebAssembly.instantiate(wasmModule, imports).then(done).catch(refuse);
         return {};
       },
       printErr: (text) => console.error(text),
-    }).then(resolve, reject);
+    }).then(resolve, refuse);
   });
 }
 
@@ -59,7 +71,22 @@ function once(make) {
   };
 }
 
-const instances = new Map();
+const byAddress = new Map(), byObject = new WeakMap();
+
+/** Where the instance of this source is kept, and under which key. */
+function place({ wasmModule, wasmBinary, wasmUrl = '', readersUrl = '' }) {
+  const object = wasmModule ?? wasmBinary;
+  return object ? [byObject, object] : [byAddress, `${wasmUrl} ${readersUrl}`];
+}
+
+function checkSource(source) {
+  checkNames(source, ['wasmUrl', 'wasmBinary', 'wasmModule', 'readersUrl'], 'source of createLpquad');
+  const { wasmModule, wasmBinary } = source;
+  if (wasmModule !== undefined && !(wasmModule instanceof WebAssembly.Module))
+    throw new LpquadError('BAD_WASM', 'wasmModule must be a WebAssembly.Module.');
+  if (wasmBinary !== undefined && !(wasmBinary instanceof ArrayBuffer) && !ArrayBuffer.isView(wasmBinary))
+    throw new LpquadError('BAD_WASM', 'wasmBinary must be an ArrayBuffer or a Uint8Array.');
+}
 
 /**
  * One instance per source, however often it is asked for; a failure is not remembered.
@@ -69,14 +96,16 @@ const instances = new Map();
  * @param {(url: string | URL) => Promise<WebAssembly.Module>} [files.from]  the caller's addresses
  * @param {() => Promise<{default: Function}>} files.readersGlue
  */
-export function createOnce(source, { own, from = compileUrl, readersGlue }) {
+export async function createOnce(source, { own, from = compileUrl, readersGlue }) {
+  checkSource(source);
   const { wasmModule, wasmBinary, wasmUrl, readersUrl } = source;
-  const key = wasmModule ?? wasmBinary ?? (wasmUrl === undefined ? '' : String(wasmUrl));
+  const [instances, key] = place(source);
   if (!instances.has(key)) {
-    const build = key !== '' ? 'custom' : hasSimd() ? 'simd' : 'plain';
+    const build = wasmModule || wasmBinary || wasmUrl !== undefined ? 'custom'
+      : hasSimd() ? 'simd' : 'plain';
     const compile = async () => {
       if (wasmModule) return wasmModule;
-      if (wasmBinary) return WebAssembly.compile(checkMagic(wasmBinary, 'wasmBinary'));
+      if (wasmBinary) return compileBytes(wasmBinary, 'wasmBinary');
       if (wasmUrl !== undefined) return from(wasmUrl);
       return own(build === 'simd' ? 'lpquad' : 'lpquad-plain');
     };

@@ -7,6 +7,10 @@ export { LpquadError } from './errors.js';
 
 const ownWorker = () => new Worker(new URL('./worker-entry-node.js', import.meta.url));
 
+/** A URL object does not cross into a worker. */
+const asText = (source) => Object.fromEntries(Object.entries(source)
+  .map(([name, value]) => [name, value instanceof URL ? value.href : value]));
+
 export function createLpquadWorker({ worker = ownWorker, ...source } = {}) {
   return new LpquadWorker(({ message, lost }) => {
     const thread = worker();
@@ -19,5 +23,5 @@ export function createLpquadWorker({ worker = ownWorker, ...source } = {}) {
       // An idle worker does not keep the program alive.
       busy: (busy) => (busy ? thread.ref() : thread.unref()),
     };
-  }, source);
+  }, asText(source));
 }

@@ -1,5 +1,6 @@
 // Runs inside the worker: {id, op, ...} in, {id, value | error} and {id, progress} out. Long work
 // advances in steps of about 20 ms, between which messages are heard; so a cancel takes effect.
+import { checkWhole } from './checks.js';
 import { LpquadError } from './errors.js';
 
 const sliceMilliseconds = 20;
@@ -58,6 +59,7 @@ export function serve(port, createLpquad) {
       return { session: id, state: find(id).state };
     },
     async step({ id, session, count, withProgress }) {
+      checkWhole(count, 'The number of ticks');
       await advance(id, find(session), count, withProgress);
       return find(session).state;
     },

@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" />
 /**
  * `lpquad/worker`: the library in a worker of its own. The same calls as promises; results are
  * transferred, not copied. An abort is answered at once; a worker that is lost is replaced by the
@@ -30,6 +31,7 @@ export interface WorkerSession {
   /** Snapshots after every `every` (1) ticks until the end. */
   run(options?: { layers?: Layers; every?: number; signal?: AbortSignal }): AsyncGenerator<Snapshot>;
   dispose(): Promise<void>;
+  [Symbol.asyncDispose](): Promise<void>;
 }
 
 export interface LpquadWorker {

@@ -7,6 +7,14 @@ export { LpquadError } from './errors.js';
 const ownWorker = () =>
   new Worker(new URL('./worker-entry.js', import.meta.url), { type: 'module', name: 'lpquad' });
 
+/** Addresses are the page's; the worker has another base. */
+function absolute(source) {
+  const base = globalThis.document?.baseURI ?? globalThis.location?.href;
+  const urls = ['wasmUrl', 'readersUrl'].filter((name) => source[name] !== undefined);
+  return { ...source,
+    ...Object.fromEntries(urls.map((name) => [name, new URL(source[name], base).href])) };
+}
+
 export function createLpquadWorker({ worker = ownWorker, ...source } = {}) {
   return new LpquadWorker(({ message, lost }) => {
     const thread = worker();
@@ -17,5 +25,5 @@ export function createLpquadWorker({ worker = ownWorker, ...source } = {}) {
       post: (data, transfer = []) => thread.postMessage(data, transfer),
       terminate: () => thread.terminate(),
     };
-  }, source);
+  }, absolute(source));
 }

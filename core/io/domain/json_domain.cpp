@@ -36,6 +36,7 @@ Role child_role(Role parent, const std::string& key) {
   switch (parent) {
     case Role::document:
       if (key == "loops") return Role::loop_list;
+      if (key == "tags") return Role::tag_table;
       if (key == "regions") return Role::region_list;
       if (key == "polylines") return Role::polyline_list;
       if (key == "points") return Role::point_list;
@@ -150,6 +151,7 @@ class Reader final : public nlohmann::json_sax<nlohmann::json> {
   bool number(double value);
   bool open(Kind kind);
   bool close();
+  void in_document_region();
   void create(Role role);
   std::string path() const;
   Error fail_value(ErrorCode code, std::string message);
@@ -229,15 +231,17 @@ bool Reader::open(Kind kind) {
   return true;
 }
 
+/// Loops and tags beside each other in the document itself are those of its one region.
+void Reader::in_document_region() {
+  if (frames_.back().role != Role::document) return;
+  has_loops_ = true;
+  if (input_.regions.empty()) input_.regions.emplace_back();
+}
+
 void Reader::create(Role role) {
   switch (role) {
     case Role::loop_list:
-      if (frames_.back().role != Role::document) {
-        input_.regions.back().loops.clear();
-        break;
-      }
-      has_loops_ = true;
-      if (input_.regions.empty()) input_.regions.emplace_back();
+      in_document_region();
       input_.regions.back().loops.clear();
       break;
     case Role::region_list: has_regions_ = true; break;
@@ -249,7 +253,10 @@ void Reader::create(Role role) {
         input_.regions.back().loops.emplace_back();
       }
       break;
-    case Role::tag_table: input_.regions.back().tags.clear(); break;
+    case Role::tag_table:
+      in_document_region();
+      input_.regions.back().tags.clear();
+      break;
     case Role::tag_list: input_.regions.back().tags.emplace_back(); break;
     case Role::polyline: input_.polylines.emplace_back(); break;
     case Role::point:

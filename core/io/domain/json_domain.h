@@ -1,4 +1,4 @@
-// Domains as JSON text: {"loops": [[[x, y], ...], ...]} for one region, or
+// Domains as JSON text: {"loops": [[[x, y], ...], ...], "tags": as below} for one region, or
 // {"regions": [{"name": "steel", "loops": [...], "tags": [["inlet", "", ...], ...]}, ...]},
 // with optional "polylines": [{"points": [[x, y], ...], "tag": ""}],
 // "points": [[x, y] or {"position": [x, y], "tag": ""}] and "h": size. Other keys are ignored.

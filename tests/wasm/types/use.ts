@@ -1,0 +1,104 @@
+// Never run: what must compile, and what must not. Checked by tsc, strict, for Node and bundlers.
+import { createLpquad, LpquadError } from 'lpquad';
+import type { Domain, ErrorCode, Lpquad, Mesh, MeshFormat, MeshOptions, MeshResult, Snapshot } from 'lpquad';
+import { createLpquad as createInline } from 'lpquad/inline';
+import { createLpquadWorker } from 'lpquad/worker';
+
+declare const bytes: ArrayBuffer;
+declare const compiled: object;
+
+export async function direct(): Promise<void> {
+  const lpquad: Lpquad = await createLpquad();
+  await createLpquad({ wasmUrl: '/lpquad.wasm' });
+  await createLpquad({ wasmUrl: new URL('https://example.org/lpquad.wasm'), readersUrl: '/readers.wasm' });
+  await createLpquad({ wasmBinary: bytes });
+  await createLpquad({ wasmModule: compiled });
+  // @ts-expect-error no such source
+  await createLpquad({ wasmURL: '/lpquad.wasm' });
+
+  const domain: Domain = {
+    loops: [[[0, 0], [1, 0], [1, 1]], [0.1, 0.1, 0.2, 0.1, 0.2, 0.2], Float64Array.of(0, 0)],
+    tags: [['inlet', null, undefined]],
+    polylines: [{ points: [[0, 0], [1, 1]], tag: 'crack' }],
+    points: [[0.5, 0.5], { position: [0.1, 0.2], tag: 'sensor' }],
+    h: 0.1,
+  };
+  const regions: Domain = { regions: [{ name: 'steel', loops: [[0, 0, 1, 0, 1, 1]] }] };
+  const mesh: MeshResult = lpquad.meshDomain(domain, {
+    size: 0.1, keepBoundary: true, elements: 'quad-dominant', method: 'paper', seeds: 'aligned', norm: 4,
+    iterations: 10, seed: 3, sizes: [[0.5, 0.5, 0.01]], sizeAt: (x: number, y: number) => x + y,
+    angleAt: () => 0, onProgress: ({ stage, iteration, energy }) => stage !== 'clean' && iteration + energy < 9,
+  });
+  lpquad.meshDomain(regions);
+  // @ts-expect-error no loops
+  lpquad.meshDomain({ h: 1 });
+  // @ts-expect-error a point has two coordinates
+  lpquad.meshDomain({ loops: [[[0, 0, 0], [1, 0, 0], [1, 1, 0]]] });
+  // @ts-expect-error no such option
+  lpquad.meshDomain(domain, { siz: 0.1 });
+  // @ts-expect-error no such choice
+  lpquad.meshDomain(domain, { method: 'fast' });
+  // @ts-expect-error sizes are numbers
+  lpquad.meshDomain(domain, { size: '0.1' });
+
+  const points: Float64Array = mesh.points;
+  const quads: Uint32Array = mesh.quads;
+  const regionOfQuad: string | undefined = mesh.regions[mesh.quadRegions[0]!];
+  const numbers: number[] = [mesh.report.quality.etaMin, mesh.report.options.size, points.length, quads.length];
+  const format: MeshFormat = 'msh';
+  const text: string = lpquad.writeMesh(mesh, format, { mshVersion: '2.2' }) + regionOfQuad + numbers.join();
+  // @ts-expect-error no such format
+  lpquad.writeMesh(mesh, 'stl');
+  const part: Mesh = mesh;
+  lpquad.writeMesh(part, 'inp', { inpElement: 'S4' });
+  lpquad.meshDomain(await lpquad.readDomain(text, { format: 'svg' }));
+  lpquad.meshDomain(await lpquad.readDomain(bytes, { name: 'plan.dxf' }), lpquadOptions(lpquad));
+
+  const session = lpquad.start(domain, { size: 0.1, memory: false });
+  // @ts-expect-error a session has no onProgress
+  lpquad.start(domain, { onProgress: () => true });
+  const snapshot: Snapshot = session.snapshot({ triangles: true, cells: true });
+  // @ts-expect-error the layer may not have been asked for
+  snapshot.cells.points.length;
+  const energy: number | undefined = snapshot.cells?.energy;
+  session.step(3);
+  session.restore(energy ?? 0).stage satisfies string;
+  session.clone().finish().quads satisfies Uint32Array;
+  session.dispose();
+  session[Symbol.dispose]();
+  // @ts-expect-error the state is read only
+  session.state = session.step();
+}
+
+function lpquadOptions(lpquad: Lpquad): MeshOptions {
+  return Object.fromEntries(lpquad.options.map((option) => [option.name, option.default]));
+}
+
+export async function worker(): Promise<void> {
+  const remote = createLpquadWorker();
+  createLpquadWorker({ wasmUrl: '/lpquad.wasm', worker: () => ({}) });
+  const controller = new AbortController();
+  const mesh: MeshResult = await remote.meshDomain({ loops: [[0, 0, 1, 0, 1, 1]] }, { size: 0.1 },
+    { signal: controller.signal, onProgress: (progress) => progress.tick });
+  // @ts-expect-error functions do not cross
+  await remote.meshDomain({ loops: [] }, { sizeAt: () => 1 });
+  // @ts-expect-error a promise
+  remote.writeMesh(mesh, 'obj').length;
+  const session = await remote.start({ loops: [[0, 0, 1, 0, 1, 1]] });
+  for await (const snapshot of session.run({ every: 2, layers: { triangles: true }, signal: controller.signal }))
+    snapshot.tick satisfies number;
+  await session.dispose();
+  await session[Symbol.asyncDispose]();
+  (await remote.ready()).version satisfies string;
+  remote.terminate();
+}
+
+export function explain(error: unknown): string {
+  if (!(error instanceof LpquadError)) return '';
+  const code: ErrorCode | 'BAD_WASM' | 'WORKER_LOST' = error.code;
+  // @ts-expect-error no such code
+  if (code === 'OOPS') return '';
+  return `${code} ${error.message} ${error.where.loop ?? ''} ${error.where.x ?? ''}`;
+}
+
+export const inline: Promise<Lpquad> = createInline();

@@ -1,0 +1,44 @@
+// Judges the form of what crosses into the core, so that a slip is named instead of cast.
+import { LpquadError } from './errors.js';
+
+/** Refuses members of an object of switches that nothing would read. */
+export function checkNames(object, known, kind) {
+  if (object === null || typeof object !== 'object')
+    throw new LpquadError('BAD_OPTION', `Each ${kind} is a member of an object.`);
+  for (const name of Object.keys(object))
+    if (!known.includes(name))
+      throw new LpquadError('BAD_OPTION',
+        `There is no ${kind} '${name}'; there is ${known.join(', ')}.`);
+}
+
+export function checkWhole(value, what) {
+  if (!Number.isInteger(value) || value < 0 || value > 0x7fffffff)
+    throw new LpquadError('BAD_OPTION', `${what} must be a whole number, not ${String(value)}.`);
+}
+
+/** The text or bytes of a file. */
+export function checkSource(source) {
+  if (source instanceof ArrayBuffer) return new Uint8Array(source);
+  if (typeof source !== 'string' && !(source instanceof Uint8Array))
+    throw new LpquadError('PARSE_ERROR', 'A file is given as a text, a Uint8Array or an ArrayBuffer.');
+  return source;
+}
+
+const arrays = ['points', 'quads', 'quadRegions', 'triangles', 'triangleRegions', 'edges', 'edgeTags',
+  'edgeRegions', 'edgeOrigins', 'taggedPoints', 'pointTags', 'regions', 'tags'];
+
+/** Whether all members are there; the core looks where their indices lead. */
+export function checkMesh(mesh) {
+  if (mesh === null || typeof mesh !== 'object')
+    throw new LpquadError('PARSE_ERROR', 'A mesh is an object, as meshDomain returns it.');
+  for (const name of arrays)
+    if (!Array.isArray(mesh[name]) && !ArrayBuffer.isView(mesh[name]))
+      throw new LpquadError('PARSE_ERROR', `mesh.${name} must be an array, as meshDomain returns it.`);
+  for (const name of ['regions', 'tags'])
+    mesh[name].forEach((text, i) => {
+      if (typeof text !== 'string')
+        throw new LpquadError('PARSE_ERROR', `mesh.${name}[${i}] must be a text.`);
+    });
+  if (typeof mesh.boundaryNodes !== 'number')
+    throw new LpquadError('PARSE_ERROR', 'mesh.boundaryNodes must be a number.');
+}
