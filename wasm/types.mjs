@@ -4,6 +4,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
 const target = fileURLToPath(new URL('js/generated.d.ts', import.meta.url));
+const packed = fileURLToPath(new URL('../dist/generated.d.ts', import.meta.url));
 
 const quoted = (names) => names.map((name) => `'${name}'`).join(' | ');
 
@@ -34,7 +35,7 @@ export function generatedTypes(description) {
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const { createLpquad } = await import(new URL('../dist/node.js', import.meta.url).href);
   const text = generatedTypes(await createLpquad());
-  if (!process.argv.includes('--check')) writeFileSync(target, text);
+  if (!process.argv.includes('--check')) for (const file of [target, packed]) writeFileSync(file, text);
   else if (readFileSync(target, 'utf8') !== text) {
     console.error('generated.d.ts is not what the library says; run: node wasm/types.mjs');
     process.exitCode = 1;

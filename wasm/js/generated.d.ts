@@ -24,6 +24,11 @@ export interface MeshOptions {
    */
   method?: 'best' | 'paper';
   /**
+   * high: irregular vertices are moved about and cancelled for much longer.
+   * @default "normal"
+   */
+  effort?: 'normal' | 'high';
+  /**
    * Initial points: aligned with the cross field, isotropic, or what the method prefers.
    * @default "automatic"
    */
@@ -72,10 +77,16 @@ export interface MeshOptions {
    */
   strict?: boolean;
   /**
-   * Iterations of the final smoothing.
+   * What keeping to the target size is worth beside right angles; with 0 only the angles count.
+   * Range: 0 to 10.
+   * @default 0.11
+   */
+  sizeWeight?: number;
+  /**
+   * Iterations of the final smoothing; -1 is 100 for the paper's chain, else 300, or 600 with high effort.
    * A whole number.
-   * Range: 0 to 10000.
-   * @default 100
+   * Range: -1 to 10000.
+   * @default -1
    */
   smoothing?: number;
   /**

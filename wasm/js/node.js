@@ -3,17 +3,20 @@ import { readFile } from 'node:fs/promises';
 
 import { LpquadError } from './errors.js';
 import { compileBytes, compileUrl, createOnce } from './load.js';
+import { urls } from './urls.js';
 
 export { LpquadError } from './errors.js';
 
-const own = (name) => compileFile(new URL(`./${name}.wasm`, import.meta.url));
+// Such bundlers turn the place of the file into an address of the site.
+const outside = ' In a bundle for a server, leave lpquad out of it: for Next.js, ' +
+  "serverExternalPackages: ['lpquad'].";
 
-async function compileFile(file) {
+async function compileFile(file, hint = '') {
   let bytes;
   try {
     bytes = await readFile(file);
   } catch (cause) {
-    throw new LpquadError('BAD_WASM', `${file} could not be read (${cause.message}).`, {}, { cause });
+    throw new LpquadError('BAD_WASM', `${file} could not be read (${cause.message}).${hint}`, {}, { cause });
   }
   return compileBytes(bytes, file);
 }
@@ -27,7 +30,7 @@ function compileAny(wasmUrl) {
 
 export function createLpquad(source = {}) {
   return createOnce(source, {
-    own,
+    own: (name) => compileFile(urls[name](), outside),
     from: compileAny,
     readersGlue: () => import('./readers-glue.js'),
   });

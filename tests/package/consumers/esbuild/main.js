@@ -1,0 +1,9 @@
+import { createLpquad } from 'lpquad';
+import { createLpquad as createInline } from 'lpquad/inline';
+// The loader `file` copies these and gives their addresses.
+import wasmUrl from 'lpquad/lpquad.wasm';
+import readersUrl from 'lpquad/lpquad-readers.wasm';
+
+import { report } from './report.js';
+
+report({ url: () => createLpquad({ wasmUrl, readersUrl }), inline: createInline });

@@ -1,0 +1,1 @@
+import './node_modules/lpquad/dist/worker-entry.js';

@@ -1,0 +1,5 @@
+import { createLpquad } from 'lpquad/inline';
+
+import { report } from './report.js';
+
+report({ inline: createLpquad });
