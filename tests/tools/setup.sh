@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes sure the named commands and headers are there, installing Debian packages where it may.
-# usage: setup.sh build|test|outside|fuzz|referee...   (each adds its needs)
+# usage: setup.sh build|test|outside|wasm|browser|clang|fuzz|referee...   (each adds its needs)
 # Exit 2 with the exact packages when something is missing that it cannot install.
 set -euo pipefail
 
@@ -31,7 +31,14 @@ for part in "$@"; do
       need_command ccx calculix-ccx
       need_command python3 python3
       /usr/bin/python3 -c 'import meshio' 2>/dev/null || missing+=(python3-meshio) ;;
-    wasm) need_command em++ emscripten ;;
+    wasm)
+      need_command em++ emscripten
+      need_command node nodejs
+      need_command npm npm ;;
+    browser)
+      need_command chromium chromium
+      need_command firefox-esr firefox-esr ;;
+    clang) need_command clang++ clang ;;
     fuzz)
       need_command clang++ clang
       need_file libclang-rt-14-dev '/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*.a' \

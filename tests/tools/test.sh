@@ -1,12 +1,15 @@
 #!/usr/bin/env bash
-# Everything that needs no data from outside: the release build's tests, and the quick ones again
-# with sanitizers and internal assertions. Ends with "N passed, N failed".
+# Everything that needs no data from outside: the release build's tests, the quick ones again with
+# sanitizers and internal assertions, and the npm package. Ends with "N passed, N failed".
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 cd "$root" || exit 2
 bash "$here/setup.sh" build test || exit 2
 bash "$here/setup.sh" outside || echo "Without these the tests in tests/outside are skipped."
+wasm=yes
+bash "$here/setup.sh" wasm || { wasm=no; echo "SKIPPED: the npm package, for want of these."; }
+bash "$here/setup.sh" browser || echo "Without these the package is not tried in browsers."
 jobs=$(nproc 2>/dev/null || echo 2)
 passed=0 failed=0
 
@@ -29,9 +32,39 @@ run_tests() {  # preset, ctest options
   return $status
 }
 
+# Installs what a lock file names, unless that was done.
+install_tools() {  # folder
+  [ "$1/node_modules/.package-lock.json" -nt "$1/package-lock.json" ] ||
+    (cd "$1" && npm ci --no-audit --no-fund --prefer-offline >/dev/null)
+}
+
+# Adds the counts of a log's last "N passed, N failed"; a missing line is a failure.
+add_counts() {  # what, log
+  local line
+  line=$(grep -oE '[0-9]+ passed, [0-9]+ failed' "$2" | tail -n 1)
+  line=${line:-0 passed, 1 failed}
+  echo "$1: $line"
+  grep -A 30 -E '^(FAIL|not ok|SKIPPED:)|# SKIP' "$2" | head -n 200
+  passed=$((passed + ${line%% passed*}))
+  line=${line#*, }
+  failed=$((failed + ${line%% failed*}))
+}
+
+test_package() {
+  local log=build/wasm.log
+  bash wasm/build.sh >"$log" 2>&1 && install_tools . && install_tools tests/package || {
+    cat "$log"; failed=$((failed + 1)); return; }
+  node --test --test-reporter=tap tests/wasm/*.test.mjs >"$log" 2>&1
+  echo "$(sed -nE 's/^# pass //p' "$log") passed, $(sed -nE 's/^# fail //p' "$log") failed" >>"$log"
+  add_counts "tests/wasm" "$log"
+  node tests/package/matrix.mjs >build/matrix.log 2>&1
+  add_counts "tests/package" build/matrix.log
+}
+
 bash "$here/build.sh" release -- -DLPQ_TESTS=ON -DLPQ_BENCH=ON || exit 1
 run_tests release
 bash "$here/build.sh" dev || exit 1
 run_tests dev -L 'quick|fuzz'
+[ $wasm = no ] || test_package
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

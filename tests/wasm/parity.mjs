@@ -1,0 +1,178 @@
+// The same bytes everywhere: meshes and reports from native g++ and clang, from the command line in
+// Node, from the library in Node (SIMD and plain) and in Chromium, compared by SHA-256.
+// usage: node tests/wasm/parity.mjs [shared folder]; ends with "N passed, N failed".
+// Needs the presets release and clang (target lpquad_command) and dist/.
+import { spawn } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
+
+import { browsers, openBrowser } from '../package/browsers.mjs';
+import { serve } from '../package/server.mjs';
+import { createLpquadWorker, dist, path, sha256 } from './support.mjs';
+
+const shared = process.argv[2] ?? process.env.LPQ_SHARED ?? path('../shared');
+const work = path(`build/parity-${process.pid}`);
+const polygonStride = 2;      // every second polygon
+const nativeSeconds = 2;      // what takes longer is left out
+const leastPolygons = 50;
+const sizeShare = 1 / 30;     // of the diagonal
+const browserSeconds = 900;
+
+if (!existsSync(join(shared, 'domains'))) {
+  console.log(`SKIPPED: no shared domains at ${shared}\n0 passed, 0 failed`);
+  process.exit(0);
+}
+
+const run = (command, args, seconds = 120) => new Promise((resolve) => {
+  const child = spawn(command, args, { timeout: seconds * 1000, killSignal: 'SIGKILL' });
+  let text = '';
+  for (const stream of [child.stdout, child.stderr]) stream.on('data', (data) => (text += data));
+  child.on('close', (code) => resolve({ code, text }));
+});
+
+/** The shared files were written by Python, which prints Infinity where JSON has no word for it. */
+const readDomain = (file) => {
+  const { loops, h } = JSON.parse(readFileSync(file, 'utf8').replace(/:\s*(-?Infinity|NaN)\b/g, ':null'));
+  return h === undefined ? { loops } : { loops, h };
+};
+const jsonFiles = (folder) => readdirSync(join(shared, folder))
+  .filter((file) => file.endsWith('.json') && file !== 'INDEX.json').sort().map((file) => join(shared, folder, file));
+
+function diagonal(loops) {
+  const points = loops.flat();
+  const extent = (k) => points.reduce((high, p) => Math.max(high, p[k]), -Infinity) -
+    points.reduce((low, p) => Math.min(low, p[k]), Infinity);
+  return Math.sqrt(extent(0) ** 2 + extent(1) ** 2);
+}
+
+function makeCases() {
+  const cases = [];
+  const add = (file, kind, options) => {
+    const name = `${kind}-${basename(file, '.json')}`;
+    const domain = readDomain(file), plain = join(work, `${name}.json`);
+    writeFileSync(plain, JSON.stringify(domain));
+    cases.push({ name, kind, domain, file: plain, options: { ...options, ...(kind === 'polygon' &&
+      { size: diagonal(domain.loops) * sizeShare }) } });
+  };
+  for (const file of jsonFiles('domains')) add(file, 'domain', { keepBoundary: true });
+  for (const name of ['platehole', 'lshape', 'hood'])
+    add(join(shared, `domains/${name}.json`), 'paper', { keepBoundary: true, method: 'paper' });
+  jsonFiles('data/polygons').filter((_, i) => i % polygonStride === 0).forEach((file) => add(file, 'polygon', {}));
+  return cases;
+}
+
+const flags = (options) => Object.entries(options).flatMap(([name, value]) => {
+  const flag = `--${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
+  return value === true ? [flag] : [flag, String(value)];
+});
+
+const timeless = ({ cpuSeconds, ...report }) => JSON.stringify(report);
+/** Of the mesh as text, and of its report but for the times. */
+const hashes = (text, report) => `${sha256(text)} ${sha256(timeless(report))}`;
+
+async function byCommand(command, { name, file, options }, seconds) {
+  const out = join(work, `${name}-${Math.random().toString(36).slice(2)}`);
+  const [program, ...args] = command;
+  const { code, text } = await run(program, [...args, 'mesh', file, '-o', `${out}.msh`, '--report',
+    `${out}.report.json`, '--quiet', ...flags(options)], seconds);
+  if (code !== 0) return text.trim() || `stopped after ${seconds} s`;
+  const result = hashes(readFileSync(`${out}.msh`), JSON.parse(readFileSync(`${out}.report.json`, 'utf8')));
+  for (const ending of ['.msh', '.report.json']) rmSync(out + ending);
+  return result;
+}
+
+async function byLibrary(lpquad, { domain, options }) {
+  try {
+    const mesh = await lpquad.meshDomain(domain, options);
+    return hashes(await lpquad.writeMesh(mesh, 'msh'), mesh.report);
+  } catch (error) {
+    return `${error.code ?? ''} ${error.message}`;
+  }
+}
+
+const page = `<!doctype html><link rel="icon" href="data:,"><script type="module" src="page.js"></script>`;
+const script = `
+import { createLpquad } from '/dist/index.js';
+const to = new URLSearchParams(location.search).get('to');
+const hash = async (text) => [...new Uint8Array(await crypto.subtle.digest('SHA-256', new TextEncoder().encode(text)))]
+  .map((byte) => byte.toString(16).padStart(2, '0')).join('');
+const found = {};
+try {
+  const lpquad = await createLpquad();
+  for (const { name, domain, options } of await (await fetch('cases.json')).json()) {
+    const mesh = lpquad.meshDomain(domain, options);
+    const { cpuSeconds, ...report } = mesh.report;
+    found[name] = (await hash(lpquad.writeMesh(mesh, 'msh'))) + ' ' + (await hash(JSON.stringify(report)));
+  }
+  await fetch(to, { method: 'POST', body: JSON.stringify({ found }) });
+} catch (error) {
+  await fetch(to, { method: 'POST', body: JSON.stringify({ found, error: String(error.stack ?? error) }) });
+}`;
+
+async function inChromium(cases) {
+  const folder = join(work, 'page');
+  mkdirSync(folder);
+  writeFileSync(join(folder, 'index.html'), page);
+  writeFileSync(join(folder, 'page.js'), script);
+  writeFileSync(join(folder, 'cases.json'), JSON.stringify(cases));
+  const server = await serve({ page: { folder }, dist: { folder: path('dist') } });
+  const answer = server.answer('chromium', browserSeconds);
+  const close = openBrowser('chromium', `${server.origin}/page/?to=${encodeURIComponent(server.address('chromium'))}`, work);
+  const { found = {}, error } = await answer;
+  close();
+  server.close();
+  if (error) console.log(`Chromium: ${error}`);
+  return found;
+}
+
+mkdirSync(work, { recursive: true });
+process.once('exit', () => rmSync(work, { recursive: true, force: true, maxRetries: 5, retryDelay: 100 }));
+const all = makeCases();
+const gcc = [path('build/release/bin/lpquad')], clang = [path('build/clang/bin/lpquad')];
+const command = [process.execPath, path('dist/cli.js')];
+
+// g++ first: it decides what is quick enough for all.
+const expected = new Map();
+let next = 0;
+await Promise.all([0, 1].map(async () => {
+  while (next < all.length) {
+    const one = all[next++];
+    expected.set(one.name, await byCommand(gcc, one, one.kind === 'polygon' ? nativeSeconds : 120));
+  }
+}));
+const quick = (one) => /^[0-9a-f]{64} /.test(expected.get(one.name));
+const cases = all.filter((one) => one.kind !== 'polygon' || quick(one));
+console.log(`${cases.length} cases; ${all.length - cases.length} polygons left out that take g++ more than ${nativeSeconds} s`);
+
+const ways = { clang: (one) => byCommand(clang, one), 'the command line in Node': (one) => byCommand(command, one) };
+for (const build of ['lpquad', 'lpquad-plain']) {
+  const lpquad = createLpquadWorker({ wasmUrl: dist(`${build}.wasm`) });
+  ways[`${build}.wasm in Node`] = (one) => byLibrary(lpquad, one);
+  process.once('exit', () => lpquad.terminate());
+}
+const results = Object.fromEntries(Object.keys(ways).map((way) => [way, {}]));
+async function through(names) {
+  for (const way of names) for (const one of cases) results[way][one.name] = await ways[way](one);
+}
+const names = Object.keys(ways);
+const chromium = browsers.chromium.path ? inChromium(cases) : Promise.resolve(null);
+await Promise.all([through(names.slice(0, 2)), through(names.slice(2))]);
+const there = await chromium;
+if (there) results.Chromium = there;
+else console.log('SKIPPED: chromium is not installed');
+
+let passed = 0, failed = 0;
+function check(what, fault) {
+  fault ? ++failed : ++passed;
+  if (fault) console.log(`FAIL ${what}: ${fault}`);
+}
+const polygons = cases.filter(({ kind }) => kind === 'polygon').length;
+check('enough polygons', polygons >= leastPolygons ? '' : `only ${polygons}`);
+for (const one of cases) {
+  check(`${one.name} with g++`, quick(one) ? '' : expected.get(one.name));
+  for (const [way, found] of Object.entries(results))
+    check(`${one.name} by ${way}`, found[one.name] === expected.get(one.name) ? ''
+      : `${found[one.name]} instead of ${expected.get(one.name)}`);
+}
+console.log(`parity: ${passed} passed, ${failed} failed`);
+process.exit(failed === 0 ? 0 : 1);
