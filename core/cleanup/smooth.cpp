@@ -159,7 +159,7 @@ void smooth_eta(QuadMesh& mesh, const Fields& fields, const SmoothOptions& optio
   const std::vector<double> least = least_allowed(mesh, etas);
   const std::vector<Vec2> before = mesh.points;
   std::vector<double> targets = target_inverse_squares(mesh, fields);
-  lift_worst(mesh, etas, targets, energy);
+  if (options.lift) lift_worst(mesh, etas, targets, energy);
   int left = options.iterations;
   for (const double bound : pinned_below) {
     if (left <= 0) break;

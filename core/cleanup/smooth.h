@@ -13,6 +13,7 @@ struct SmoothOptions {
   double area_weight = 0;     // of the area term
   double eta_floor = 0.64;    // quads below are pushed up harder
   double rounding = 1e-4;     // of the kinks of 1 - eta (shape_energy.h)
+  bool lift = true;           // the flattest faces first; once is enough when smoothing goes on
 };
 
 /// Maximises the sum of eta over all free vertices together (shape_energy.h) by L-BFGS. The

@@ -129,7 +129,8 @@ void PatchRemesher::refit_in_order(Refitter& refitter, Search& search, int seeds
     if (result == Refit::done) note_changes(refitter);
   }
   tried_ += refitter.tried();
-  if (tried_ > enough_tries && refilled_ * worth_trying < tried_)
+  gave_up_ = tried_ > enough_tries && refilled_ * worth_trying < tried_;
+  if (gave_up_)
     pass_ = options_.passes.size();
   else if (next_ == queue_.size())
     end_pass();

@@ -55,6 +55,8 @@ class PatchRemesher {
   /// passes are done.
   bool step(int seeds);
   bool done() const { return pass_ == options_.passes.size(); }
+  /// The search ended early, because patches hardly ever helped.
+  bool gave_up() const { return gave_up_; }
   const PatchStats& stats() const { return stats_; }
   int pass() const { return static_cast<int>(pass_); }
   /// The mesh as it is.
@@ -74,6 +76,7 @@ class PatchRemesher {
   std::vector<Index> queue_;
   std::vector<char> queued_;  // #V
   std::size_t next_ = 0, pass_ = 0;
+  bool gave_up_ = false;
   Index tried_ = 0, refilled_ = 0;     // in this pass
   Index trials_ = 0, all_trials_ = 0;  // of a random pass: left, and at its start
   Rng rng_;

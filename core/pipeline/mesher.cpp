@@ -302,10 +302,11 @@ void Mesher::remesh_patches() {
   const bool more = patches_->step(seeds_per_step);
   if (!more || trace_) quads_ = patches_->mesh();  // who looks on sees the patches come
   if (more) return;
+  // Where patches do not help, a block of smoothing does what can be done.
+  smoothed_ = patches_->gave_up() ? std::max(0, smoothing() - smoothing_block) : 0;
   patches_.reset();
   if (trace_) trace_->quads.push_back({"patched", quads_});
   report_.chain += " + patches";
-  smoothed_ = 0;
   stage_ = Stage::smooth;
 }
 
@@ -315,6 +316,7 @@ void Mesher::smooth() {
   SmoothOptions options = shape_smoothing(options_);
   options.iterations = steps;
   options.rounding = smoothed_ == 0 ? coarse_rounding : fine_rounding;
+  options.lift = smoothed_ == 0;
   const double before = quad_quality(quads_).eta_mean;
   smooth_eta(quads_, *fields_, options);
   smoothed_ += steps;
