@@ -148,8 +148,10 @@ test('regions, tags, polylines and points reach the mesh by name', () => {
 
 test('sizes at points, a size function and an angle function are followed', () => {
   const coarse = lpquad.meshDomain(square, { size: 0.1 }).report.quads;
-  const nested = lpquad.meshDomain(square, { size: 0.1, sizes: [[0.5, 0.5, 0.02]] });
-  const flat = lpquad.meshDomain(square, { size: 0.1, sizes: Float64Array.of(0.5, 0.5, 0.02) });
+  // A fine corner, given by samples 0.1 apart.
+  const samples = Array.from({ length: 25 }, (_, i) => [0.05 + 0.1 * (i % 5), 0.05 + 0.1 * Math.floor(i / 5), 0.03]);
+  const nested = lpquad.meshDomain(square, { size: 0.1, sizes: samples });
+  const flat = lpquad.meshDomain(square, { size: 0.1, sizes: Float64Array.from(samples.flat()) });
   assert.ok(nested.report.quads > 1.3 * coarse);
   assert.equal(meshHash(nested), meshHash(flat));
   const graded = lpquad.meshDomain(square, { sizeAt: (x) => (x < 0.5 ? 0.05 : 0.1) });
