@@ -19,6 +19,15 @@ double worst_eta(const QuadMesh& mesh) {
   return worst;
 }
 
+// A filling may have this many times fewer or more quads than the size field asks for, or else no
+// farther from it than the old one: without this, regularity wins over a fine spot's size.
+constexpr double least_count = 0.75, most_count = 1.35;
+
+bool is_count_kept(double wanted, double before, double after) {
+  if (after < before) return after >= least_count * wanted;
+  return after <= before || after <= most_count * wanted;
+}
+
 // What a change may cost at most: nothing, or with a temperature what chance allows [Metropolis].
 double most_change(const RefitRule& rule) {
   if (rule.temperature <= 0) return 0;
@@ -41,6 +50,20 @@ Polygon Refitter::polygon() const {
   return polygon;
 }
 
+/// Integral of dA / h^2 over the patch.
+double Refitter::wanted_quads() const {
+  double sum = 0;
+  for (const Index f : patch_.faces()) {
+    const Face& face = mesh_.face(f);
+    Vec2 points[4];
+    for (int k = 0; k < 4; ++k) points[k] = mesh_.point(face[k]);
+    const double h = fields_.size(
+        midpoint(midpoint(points[0], points[2]), midpoint(points[1], points[3])), hint_);
+    sum += 0.5 * std::fabs(cross(points[2] - points[0], points[3] - points[1])) / (h * h);
+  }
+  return sum;
+}
+
 Refit Refitter::refit(const RefitRule& rule) {
   if (!patch_.close(rule.largest)) return Refit::hopeless;
   if (!patch_.outline(outline_)) return Refit::rejected;
@@ -58,11 +81,14 @@ Refit Refitter::refit(const RefitRule& rule) {
 
   const Surroundings around(mesh_, fields_, patch_, outline_, options_.rings);
   const double now = around.energy_now(options_.energy);
+  const double wanted = wanted_quads(), before = static_cast<double>(patch_.faces().size());
   Trial best;
   double best_change = most_change(rule);
   for (const Plan& plan : plans) {
     ++tried_;
-    Trial trial = around.place(fill(shape, plan));
+    const Filling filling = fill(shape, plan);
+    if (!is_count_kept(wanted, before, static_cast<double>(filling.faces.size()))) continue;
+    Trial trial = around.place(filling);
     const double gain = outline_.weight - outline_.rim_weight - plan.irregular;
     const double even = now + options_.credit * gain;
     if (!around.relax(trial, {.energy = options_.energy, .bound = even + best_change})) continue;

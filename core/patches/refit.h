@@ -35,6 +35,7 @@ class Refitter {
 
  private:
   Polygon polygon() const;
+  double wanted_quads() const;
   void commit(const Surroundings& around, const Trial& trial);
 
   QuadTopology& mesh_;
