@@ -64,7 +64,7 @@ test('functions are refused, and the worker lives on', async () => {
 test('progress arrives in order', async () => {
   const seen = [];
   await remote.meshDomain(plate, { ...options, size: 0.04 }, { onProgress: (p) => seen.push(p) });
-  assert.ok(seen.length > 3);
+  assert.ok(seen.length >= 2);  // the first tick alone, then as many as fit a slice
   assert.ok(seen.every((p, i) => i === 0 || p.tick > seen[i - 1].tick));
   assert.equal(seen.at(-1).stage, 'done');
   assert.deepEqual(Object.keys(seen[0]).sort(), ['energy', 'iteration', 'maxIterations', 'stage', 'tick']);
