@@ -14,7 +14,7 @@
 #include "cleanup/shape_energy.h"
 #include "cleanup/smooth.h"
 #include "delaunay/delaunay.h"
-#include "io/json_domain.h"
+#include "io/domain/json_domain.h"
 #include "lpcvt/seeds.h"
 #include "mesh/quality.h"
 #include "patches/remesh.h"
