@@ -1,0 +1,37 @@
+// The built playground on a server of its own, and a browser to try it as a person does.
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+import { browsers } from '../package/browsers.mjs';
+import { serve } from '../package/server.mjs';
+
+const folder = process.env.LPQ_WEB ?? fileURLToPath(new URL('../../build/web', import.meta.url));
+const quiet = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
+  '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage'];
+
+/** One server and one Chromium for a test file; `open` gives a page of its own storage. */
+export async function startPlayground() {
+  const server = await serve({ web: { folder } });
+  const browser = await chromium.launch({ executablePath: browsers.chromium.path, args: quiet });
+  return {
+    address: `${server.origin}/web/`,
+    browser,
+    /** @param {{hash?: string, width?: number, height?: number, dark?: boolean, still?: boolean, touch?: boolean}} [how] */
+    async open({ hash = '', width = 1280, height = 800, dark = false, still = true, touch = false } = {}) {
+      const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light',
+        reducedMotion: still ? 'reduce' : 'no-preference', hasTouch: touch, acceptDownloads: true });
+      const page = await context.newPage();
+      page.errors = [];
+      page.on('pageerror', (error) => page.errors.push(error.message));
+      page.on('console', (message) => { if (message.type() === 'error') page.errors.push(message.text()); });
+      await page.goto(`${server.origin}/web/${hash}`);
+      return page;
+    },
+    async close() {
+      await browser.close();
+      server.close();
+    },
+  };
+}
+
+/** Waits for the mesh of what is on the screen. */
+export const finished = (page) => page.locator('.stage-name', { hasText: /^done/ }).waitFor({ timeout: 60000 });

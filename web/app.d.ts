@@ -1,0 +1,19 @@
+// What the parts of the page are given: everything shared, made once in main.js.
+import type { Stage } from './stage/stage.js';
+import type { Actions } from './panels/actions.js';
+import type { Tabs } from './panels/tabs.js';
+import type { Runner } from './run/runner.js';
+import type { Store } from './state/store.js';
+import type { Scene } from './types';
+
+export interface App {
+  store: Store;
+  runner: Runner;
+  actions: Actions;
+  stage: Stage;
+  tabs: Tabs;
+  /** Says a sentence to screen readers. */
+  announce: (text: string) => void;
+  /** The scene as it is drawn now. */
+  scene: () => Scene;
+}

@@ -1,0 +1,36 @@
+// Which layers are on the screen, and which of the library's snapshot layers they are drawn from.
+/** @import { Layers, State } from 'lpquad' */
+/** @import { LayerName, Project } from '../types' */
+
+/** @type {Record<LayerName, keyof Layers | null>} */
+const sources = {
+  boundary: null, triangles: 'triangles', cells: 'cells', density: 'cells', crosses: 'crosses',
+  sizes: 'sizes', matching: 'matching', quads: 'quads', quality: 'quads', valence: 'quads',
+};
+
+/** What tells most at each stage. @type {Record<State['stage'], LayerName[]>} */
+const telling = {
+  seeds: ['boundary', 'crosses'],
+  optimise: ['boundary', 'cells', 'density'],
+  match: ['boundary', 'cells', 'density'],
+  clean: ['boundary', 'matching', 'quads'],
+  patch: ['boundary', 'quads', 'quality', 'valence'],
+  smooth: ['boundary', 'quads', 'quality', 'valence'],
+  check: ['boundary', 'quads', 'quality', 'valence'],
+  done: ['boundary', 'quads', 'quality', 'valence'],
+};
+
+/** @param {Project['layers']} layers  @param {State | null} state  @returns {ReadonlySet<LayerName>} */
+export function shownLayers(layers, state) {
+  return new Set(layers === 'auto' ? telling[state?.stage ?? 'seeds'] : layers);
+}
+
+/** @param {Project['layers']} layers  @param {State} state  @returns {Layers} */
+export function neededFor(layers, state) {
+  const needed = /** @type {Layers} */ ({});
+  for (const name of shownLayers(layers, state)) {
+    const source = sources[name];
+    if (source !== null) needed[source] = true;
+  }
+  return needed;
+}

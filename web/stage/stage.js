@@ -1,0 +1,176 @@
+// The drawing area: two canvases, one for the mesh, one above it for what is edited; pan, zoom and
+// pinch; every other pointer event goes to the tool in hand.
+/** @import { Point, Scene, View } from '../types' */
+import { draw } from '../draw/draw.js';
+import { fit, pan, toWorld, zoomAt } from '../draw/view.js';
+
+/**
+ * What a tool may do. Points are in the world; `pixel` is the size of a pixel there.
+ * @typedef {object} Tool
+ * @property {string} id
+ * @property {(at: Point, event: PointerEvent, pixel: number) => boolean | void} [down]  true: the drag is the tool's
+ * @property {(at: Point, event: PointerEvent, pixel: number) => void} [move]
+ * @property {(at: Point, event: PointerEvent, pixel: number) => void} [up]
+ * @property {() => void} [cancel]
+ * @property {(context: CanvasRenderingContext2D, view: View) => void} [draw]  on the upper canvas
+ * @property {string} [cursor]
+ */
+
+export class Stage {
+  /** @type {View} */
+  view = { scale: 1, left: 0, top: 1, width: 1, height: 1 };
+  /** @type {Tool} */
+  #tool = { id: 'none' };
+  /** @type {Map<number, Point>} */
+  #pointers = new Map();
+  #dragging = /** @type {'' | 'tool' | 'pan'} */ ('');
+  #dirty = { mesh: true, overlay: true };
+  #scheduled = false;
+  /** Drawn on the upper canvas whatever the tool. @type {((context: CanvasRenderingContext2D, view: View) => void)[]} */
+  overlays = [];
+
+  /**
+   * @param {HTMLElement} element  holds the canvases
+   * @param {() => Scene} scene  what to draw now
+   */
+  constructor(element, scene) {
+    this.element = element;
+    this.scene = scene;
+    this.mesh = /** @type {HTMLCanvasElement} */ (element.querySelector('#mesh-canvas'));
+    this.overlay = /** @type {HTMLCanvasElement} */ (element.querySelector('#overlay-canvas'));
+    new ResizeObserver(() => this.#resize()).observe(element);
+    this.overlay.addEventListener('pointerdown', (event) => this.#down(event));
+    this.overlay.addEventListener('pointermove', (event) => this.#move(event));
+    for (const name of /** @type {const} */ (['pointerup', 'pointercancel']))
+      this.overlay.addEventListener(name, (event) => this.#up(event));
+    this.overlay.addEventListener('wheel', (event) => this.#wheel(event), { passive: false });
+    this.#resize();
+  }
+
+  get tool() { return this.#tool; }
+  set tool(tool) {
+    this.#tool.cancel?.();
+    this.#tool = tool;
+    this.overlay.style.cursor = tool.cursor ?? 'default';
+    this.invalidate('overlay');
+  }
+
+  /** Size of a pixel in the world. */
+  get pixel() { return 1 / this.view.scale; }
+
+  #resize() {
+    const { width, height } = this.element.getBoundingClientRect();
+    if (width === 0 || height === 0) return;
+    const first = this.view.width === 1;
+    for (const canvas of [this.mesh, this.overlay]) {
+      canvas.width = Math.round(width * devicePixelRatio);
+      canvas.height = Math.round(height * devicePixelRatio);
+    }
+    if (first) this.view = fit(this.scene().drawing, width, height);
+    else this.view = { ...pan(this.view, (width - this.view.width) / 2, (height - this.view.height) / 2), width, height };
+    this.#paint();  // at once: a canvas that changed its size is empty
+  }
+
+  /** Shows all of the drawing. */
+  fit() {
+    this.look(fit(this.scene().drawing, this.view.width, this.view.height));
+  }
+
+  /** @param {View} view */
+  look(view) {
+    this.view = view;
+    this.invalidate();
+  }
+
+  /** @param {'all' | 'overlay'} [what] */
+  invalidate(what = 'all') {
+    this.#dirty.overlay = true;
+    if (what === 'all') this.#dirty.mesh = true;
+    if (this.#scheduled) return;
+    this.#scheduled = true;
+    requestAnimationFrame(() => this.#paint());
+  }
+
+  #paint() {
+    this.#scheduled = false;
+    const scene = this.scene();
+    if (this.#dirty.mesh) {
+      const context = this.#clear(this.mesh);
+      draw(context, scene, this.view);
+    }
+    if (this.#dirty.overlay) {
+      const context = this.#clear(this.overlay);
+      for (const drawOverlay of this.overlays) drawOverlay(context, this.view);
+      this.#tool.draw?.(context, this.view);
+    }
+    this.#dirty = { mesh: false, overlay: false };
+  }
+
+  /** @param {HTMLCanvasElement} canvas */
+  #clear(canvas) {
+    const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, canvas.width, canvas.height);
+    context.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
+    return context;
+  }
+
+  /** @param {PointerEvent | WheelEvent} event @returns {Point} in pixels of the stage */
+  #place(event) {
+    const { left, top } = this.overlay.getBoundingClientRect();
+    return [event.clientX - left, event.clientY - top];
+  }
+
+  /** @param {PointerEvent} event */
+  #down(event) {
+    const place = this.#place(event);
+    this.overlay.setPointerCapture(event.pointerId);
+    this.#pointers.set(event.pointerId, place);
+    if (this.#pointers.size === 2) {  // a pinch, whatever the first finger began
+      this.#tool.cancel?.();
+      this.#dragging = 'pan';
+      return;
+    }
+    const panning = event.button === 1 || event.altKey;
+    const taken = !panning && event.button === 0 && this.#tool.down?.(toWorld(this.view, ...place), event, this.pixel);
+    this.#dragging = taken ? 'tool' : 'pan';
+  }
+
+  /** @param {PointerEvent} event */
+  #move(event) {
+    const place = this.#place(event);
+    const before = this.#pointers.get(event.pointerId);
+    if (this.#dragging === 'pan' && before) {
+      const others = [...this.#pointers].filter(([id]) => id !== event.pointerId).map(([, point]) => point);
+      this.#pointers.set(event.pointerId, place);
+      this.look(others.length > 0 ? this.#pinch(before, place, others[0]) : pan(this.view, place[0] - before[0], place[1] - before[1]));
+      return;
+    }
+    if (before) this.#pointers.set(event.pointerId, place);
+    this.#tool.move?.(toWorld(this.view, ...place), event, this.pixel);
+  }
+
+  /** @param {Point} before  @param {Point} now  @param {Point} other  the finger that rests */
+  #pinch(before, now, other) {
+    const apart = (/** @type {Point} */ p) => Math.max(1, Math.hypot(p[0] - other[0], p[1] - other[1]));
+    const moved = pan(this.view, (now[0] - before[0]) / 2, (now[1] - before[1]) / 2);
+    return zoomAt(moved, apart(now) / apart(before), (now[0] + other[0]) / 2, (now[1] + other[1]) / 2);
+  }
+
+  /** @param {PointerEvent} event */
+  #up(event) {
+    if (!this.#pointers.delete(event.pointerId)) return;
+    if (this.#dragging === 'tool') {
+      if (event.type === 'pointercancel') this.#tool.cancel?.();
+      else this.#tool.up?.(toWorld(this.view, ...this.#place(event)), event, this.pixel);
+    }
+    if (this.#pointers.size === 0) this.#dragging = '';
+  }
+
+  /** @param {WheelEvent} event */
+  #wheel(event) {
+    event.preventDefault();
+    const lines = event.deltaMode === 1 ? 16 : 1;
+    this.look(zoomAt(this.view, Math.exp(-0.0015 * lines * event.deltaY), ...this.#place(event)));
+  }
+}

@@ -1,0 +1,87 @@
+// The one place where the project lives, with everything it was before. Changes make new objects;
+// undo is going back to an old one.
+/** @import { Project } from '../types' */
+
+const remembered = 500;  // states; they share what did not change
+
+export class Store {
+  /** @type {{label: string, project: Project}[]} */
+  #past = [];
+  /** @type {{label: string, project: Project}[]} */
+  #future = [];
+  /** @type {Project} */
+  #project;
+  /** @type {Set<(project: Project, before: Project) => void>} */
+  #listeners = new Set();
+  #merging = '';
+
+  /** @param {Project} project */
+  constructor(project) {
+    this.#project = project;
+  }
+
+  get project() { return this.#project; }
+  get canUndo() { return this.#past.length > 0; }
+  get canRedo() { return this.#future.length > 0; }
+  /** What undo would take back, in words. */
+  get undoLabel() { return this.#past.at(-1)?.label ?? ''; }
+  get redoLabel() { return this.#future.at(-1)?.label ?? ''; }
+
+  /** @param {(project: Project, before: Project) => void} listener  @returns {() => void} ends it */
+  subscribe(listener) {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  /**
+   * @param {string} label  what was done, in words
+   * @param {Partial<Project> | ((project: Project) => Partial<Project>)} change
+   * @param {string} [gesture]  changes of one gesture (a drag, a slider) are undone together
+   */
+  change(label, change, gesture = '') {
+    const before = this.#project;
+    const part = typeof change === 'function' ? change(before) : change;
+    if (Object.keys(part).every((key) => part[/** @type {keyof Project} */ (key)] === before[/** @type {keyof Project} */ (key)])) return;
+    if (gesture === '' || gesture !== this.#merging) {
+      this.#past.push({ label, project: before });
+      if (this.#past.length > remembered) this.#past.shift();
+    }
+    this.#merging = gesture;
+    this.#future.length = 0;
+    this.#become({ ...before, ...part });
+  }
+
+  /** The gesture under way, '' between gestures: what changes meanwhile will change again. */
+  get gesture() { return this.#merging; }
+
+  /** The gesture is over: the next change is undone by itself. Listeners are told. */
+  settle() {
+    if (this.#merging === '') return;
+    this.#merging = '';
+    this.#tell(this.#project);
+  }
+
+  undo() { this.#travel(this.#past, this.#future); }
+  redo() { this.#travel(this.#future, this.#past); }
+
+  /** @param {{label: string, project: Project}[]} from  @param {{label: string, project: Project}[]} to */
+  #travel(from, to) {
+    const step = from.pop();
+    if (step === undefined) return;
+    to.push({ label: step.label, project: this.#project });
+    this.#merging = '';
+    this.#become(step.project);
+  }
+
+  /** @param {Project} project */
+  #become(project) {
+    const before = this.#project;
+    this.#project = project;
+    this.#tell(before);
+  }
+
+  /** @param {Project} before */
+  #tell(before) {
+    for (const listener of this.#listeners) listener(this.#project, before);
+  }
+}

@@ -1,0 +1,98 @@
+// The plain values that the parts of the playground pass to each other.
+import type { DomainFormat, MeshFormat, MeshOptions, MeshResult, Snapshot, State } from 'lpquad';
+
+export type Point = [number, number];
+
+export interface Region {
+  name: string;
+  loops: Point[][];
+  tags?: string[][];
+}
+
+/** What is meshed, in the form the library reads it. Never changed in place. */
+export interface Drawing {
+  regions: Region[];
+  polylines: { points: Point[]; tag: string }[];
+  points: { position: Point; tag: string }[];
+}
+
+export type LayerName =
+  | 'boundary' | 'triangles' | 'cells' | 'density' | 'crosses' | 'sizes' | 'matching' | 'quads'
+  | 'quality' | 'valence';
+
+/** Everything that undo restores and a link carries. Plain and immutable. */
+export interface Project {
+  /** Id of the preset the drawing is of; '' once it was changed or is the user's own. */
+  preset: string;
+  drawing: Drawing;
+  /** Only what differs from the defaults. */
+  options: MeshOptions;
+  /** Painted target sizes [x, y, h]. */
+  sizes: [number, number, number][];
+  /** Strokes that the crosses follow. */
+  guides: Point[][];
+  /** Given initial interior points; empty: the method chooses. */
+  seedPoints: Point[];
+  /** Layers to draw; 'auto' shows what fits the stage. */
+  layers: 'auto' | LayerName[];
+  /** Id of the comparison shown beside the run; '' = none. */
+  comparison: string;
+}
+
+export type Phase = 'loading' | 'starting' | 'playing' | 'paused' | 'done' | 'failed' | 'cancelled';
+
+/** What is known of a run; a new object at every change. */
+export interface Run {
+  phase: Phase;
+  /** The project this run is of; anything else on the screen is out of date. */
+  project: Project | null;
+  /** Where the run is; null before the first state. */
+  state: State | null;
+  /** What is drawn, taken at `state`. */
+  frame: Snapshot | null;
+  /** States reached so far, by tick. */
+  history: State[];
+  result: MeshResult | null;
+  error: { code: string; message: string; where: import('lpquad').Where } | null;
+}
+
+/** World to screen: x' = scale (x - left), y' = scale (top - y); y points up in the world. */
+export interface View {
+  scale: number;
+  left: number;
+  top: number;
+  /** In CSS pixels. */
+  width: number;
+  height: number;
+}
+
+/** Colours by role; two tables, light and dark. */
+export interface Palette {
+  background: string;
+  ink: string;
+  faint: string;
+  boundary: string;
+  accent: string;
+  error: string;
+  quadLow: [number, number, number];
+  quadHigh: [number, number, number];
+  densityLow: [number, number, number];
+  densityHigh: [number, number, number];
+  valence: Record<number, string>;
+}
+
+/** What the draw functions see. */
+export interface Scene {
+  drawing: Drawing;
+  frame: Snapshot | null;
+  result: MeshResult | null;
+  layers: ReadonlySet<LayerName>;
+  palette: Palette;
+}
+
+/** The part of CanvasRenderingContext2D that drawing uses; a recorder or SVG writer has it too. */
+export type Pen = Pick<CanvasRenderingContext2D,
+  'beginPath' | 'moveTo' | 'lineTo' | 'closePath' | 'arc' | 'fill' | 'stroke' | 'save' | 'restore'
+  | 'setLineDash' | 'fillStyle' | 'strokeStyle' | 'lineWidth' | 'globalAlpha' | 'lineJoin' | 'lineCap'>;
+
+export type { DomainFormat, MeshFormat, MeshOptions, MeshResult, Snapshot, State };

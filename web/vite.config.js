@@ -1,0 +1,17 @@
+// Builds the page into build/web: static files that work from any folder of any server.
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vite';
+
+const here = (/** @type {string} */ path) => fileURLToPath(new URL(path, import.meta.url));
+
+export default defineConfig({
+  root: here('.'),
+  base: './',
+  publicDir: here('public'),
+  resolve: {
+    // The package as its users get it.
+    alias: [{ find: /^lpquad\/worker$/, replacement: here('../dist/worker.js') }, { find: /^lpquad\/(.*)$/, replacement: here('../dist/$1') }],
+  },
+  worker: { format: 'es' },
+  build: { outDir: here('../build/web'), emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0, modulePreload: false },
+});
