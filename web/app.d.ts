@@ -4,6 +4,7 @@ import type { Actions } from './panels/actions.js';
 import type { Tabs } from './panels/tabs.js';
 import type { Runner } from './run/runner.js';
 import type { Store } from './state/store.js';
+import type { Themes } from './header/theme.js';
 import type { Scene } from './types';
 
 export interface App {
@@ -12,6 +13,7 @@ export interface App {
   actions: Actions;
   stage: Stage;
   tabs: Tabs;
+  themes: Themes;
   /** Says a sentence to screen readers. */
   announce: (text: string) => void;
   /** The scene as it is drawn now. */

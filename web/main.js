@@ -2,6 +2,8 @@
 /** @import { App } from './app' */
 /** @import { Scene } from './types' */
 import { dark, light } from './draw/palette.js';
+import { installHeader } from './header/header.js';
+import { Themes } from './header/theme.js';
 import { Actions } from './panels/actions.js';
 import { setText } from './panels/dom.js';
 import { Tabs } from './panels/tabs.js';
@@ -14,7 +16,6 @@ import { Stage } from './stage/stage.js';
 import { haveSameMesh } from './state/project.js';
 import { Store } from './state/store.js';
 
-const darkScheme = matchMedia('(prefers-color-scheme: dark)');
 const element = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
 /** @returns {Scene} */
@@ -22,10 +23,11 @@ function scene() {
   const { frame, result, state } = runner.run;
   const { drawing, layers } = store.project;
   return {
-    drawing, frame, result, layers: shownLayers(layers, state), palette: darkScheme.matches ? dark : light,
+    drawing, frame, result, layers: shownLayers(layers, state), palette: themes.dark ? dark : light,
   };
 }
 
+const themes = new Themes();
 const store = new Store(presets[0].project);
 const runner = new Runner(createEngine);
 const actions = new Actions();
@@ -34,20 +36,13 @@ const tabs = new Tabs(element('panel'));
 
 /** @type {App} */
 const app = {
-  store, runner, actions, stage, tabs, scene,
+  store, runner, actions, stage, tabs, themes, scene,
   announce: (text) => setText(element('announcer'), text),
 };
 
 runner.wantedLayers = () => store.project.layers;
+installHeader(app);
 installTimeline(app);
-
-actions.add(
-  { id: 'edit.undo', label: 'Undo', keys: ['Ctrl+Z'], enabled: () => store.canUndo, run: () => store.undo() },
-  { id: 'edit.redo', label: 'Redo', keys: ['Ctrl+Y', 'Ctrl+Shift+Z'], enabled: () => store.canRedo, run: () => store.redo() },
-  { id: 'view.fit', label: 'Show all', keys: ['0'], run: () => stage.fit() },
-);
-element('header-actions').append(
-  actions.button('edit.undo', { text: '↶' }), actions.button('edit.redo', { text: '↷' }), actions.button('view.fit', { text: '⤢' }));
 
 store.subscribe((project, before) => {
   if (!haveSameMesh(project, before)) void runner.load(project);
@@ -59,6 +54,6 @@ runner.subscribe(() => {
   stage.invalidate();
   actions.refresh();
 });
-darkScheme.addEventListener('change', () => stage.invalidate());
+themes.subscribe(() => stage.invalidate());
 actions.listen(window);
 void runner.load(store.project);

@@ -1,6 +1,8 @@
 // Everything a person can do, by name, with its keys. Buttons and shortcuts run the same actions,
 // and the help lists them.
+/** @import { IconName } from './icons.js' */
 import { h } from './dom.js';
+import { icon } from './icons.js';
 
 /**
  * @typedef {object} Action
@@ -10,6 +12,17 @@ import { h } from './dom.js';
  * @property {() => void} run
  * @property {() => boolean} [enabled]
  * @property {() => boolean} [pressed]  of a toggle
+ * @property {IconName | (() => IconName)} [icon]
+ * @property {() => string} [hint]  what it would do just now, for the tooltip
+ */
+
+/**
+ * How a button shows its action: by its icon, if it has one, else by its label.
+ * @typedef {object} Look
+ * @property {string} [text]  these words instead of the icon
+ * @property {boolean} [labelled]  the label beside the icon
+ * @property {string} [title]
+ * @property {string} [className]
  */
 
 export class Actions {
@@ -33,7 +46,7 @@ export class Actions {
   /** @param {string} id */
   run(id) {
     const action = this.#actions.get(id);
-    if (action && (action.enabled?.() ?? true)) action.run();
+    if (action && canRun(action)) action.run();
   }
 
   /** Buttons show whether their action is possible, or on. Call after any change. */
@@ -41,19 +54,19 @@ export class Actions {
     for (const refresh of this.#refreshers) refresh();
   }
 
-  /** @param {string} id  @param {{text?: string, title?: string, className?: string}} [look] */
-  button(id, { text, title, className = '' } = {}) {
+  /** @param {string} id  @param {Look} [look] */
+  button(id, { text, labelled = false, title, className = '' } = {}) {
     const action = /** @type {Action} */ (this.#actions.get(id));
-    const keys = action.keys?.length ? ` (${action.keys.join(', ')})` : '';
+    const named = labelled || text === action.label || (text === undefined && !action.icon);
     const button = h('button', {
-      type: 'button', className, title: `${title ?? action.label}${keys}`, 'data-action': id,
-      'aria-label': text === undefined || text === action.label ? undefined : action.label,
-      onclick: () => this.run(id),
-    }, text ?? action.label);
+      type: 'button', className, 'data-action': id, 'aria-keyshortcuts': action.keys?.map(ariaKey).join(' ') || undefined,
+      'aria-label': named ? undefined : action.label, onclick: () => this.run(id),
+    }, text ?? (labelled || !action.icon ? action.label : null));
     const refresh = () => {
-      const enabled = action.enabled?.() ?? true;
-      button.setAttribute('aria-disabled', String(!enabled));
+      button.setAttribute('aria-disabled', String(!canRun(action)));
       if (action.pressed) button.setAttribute('aria-pressed', String(action.pressed()));
+      button.title = titleOf(action, title);
+      if (text === undefined && action.icon) showIcon(button, typeof action.icon === 'function' ? action.icon() : action.icon);
     };
     this.#refreshers.add(refresh);
     refresh();
@@ -72,17 +85,39 @@ export class Actions {
   }
 }
 
+/** @param {Action} action */
+export const canRun = (action) => action.enabled?.() ?? true;
+
+/** @param {Action} action  @param {string} [title] */
+function titleOf(action, title = action.label) {
+  const hint = action.hint?.();
+  const keys = action.keys?.length ? ` (${action.keys.join(', ')})` : '';
+  return `${title}${hint ? `: ${hint}` : ''}${keys}`;
+}
+
+/** @param {HTMLButtonElement} button  @param {IconName} name */
+function showIcon(button, name) {
+  const shown = button.querySelector('svg');
+  if (shown?.getAttribute('data-icon') === name) return;
+  shown?.remove();
+  button.prepend(icon(name));
+}
+
+/** @param {string} key  as ARIA names it */
+const ariaKey = (key) => key.replace('Ctrl', 'Control');
+
 /** @param {KeyboardEvent} event */
 export function nameOf(event) {
   const key = event.key === ' ' ? 'Space' : event.key.length === 1 ? event.key.toUpperCase() : event.key;
   const letter = /^[A-Z]$/.test(key);
-  return `${event.ctrlKey || event.metaKey ? 'Ctrl+' : ''}${event.shiftKey && (letter || key.length > 1) ? 'Shift+' : ''}${key}`;
+  const control = (event.ctrlKey || event.metaKey) && !event.getModifierState('AltGraph');
+  return `${control ? 'Ctrl+' : ''}${event.shiftKey && (letter || key.length > 1) ? 'Shift+' : ''}${key}`;
 }
 
 /** @param {KeyboardEvent} event */
 function keepsKey({ target, key, ctrlKey, metaKey }) {
   if (!(target instanceof HTMLElement)) return false;
-  if (target.closest('dialog')) return key !== 'Escape';
+  if (target.closest('dialog')) return true;
   const typing = target instanceof HTMLInputElement && !['checkbox', 'radio', 'range', 'button'].includes(target.type)
     || target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
   if (typing) return true;

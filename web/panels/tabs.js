@@ -35,6 +35,17 @@ export class Tabs {
     }
   }
 
+  get current() { return this.#parts.find(({ body }) => !body.hidden)?.id ?? ''; }
+
+  /** Opens the tab so many further and gives it the focus. @param {number} by */
+  turn(by) {
+    const at = this.#parts.findIndex(({ id }) => id === this.current);
+    const part = this.#parts.at((at + by) % this.#parts.length);
+    if (part === undefined) return;
+    this.open(part.id);
+    part.tab.focus();
+  }
+
   /** @param {KeyboardEvent} event */
   #key(event) {
     const at = this.#parts.findIndex(({ tab }) => tab === document.activeElement);

@@ -6,16 +6,16 @@ import { h, setText } from '../panels/dom.js';
 export function installTimeline({ actions, runner, store, announce }) {
   const can = () => runner.run.state !== null && runner.run.phase !== 'failed';
   actions.add(
-    { id: 'run.play', label: 'Play or pause', keys: ['Space'], enabled: can,
+    { id: 'run.play', label: 'Play or pause', icon: () => (runner.run.phase === 'playing' ? 'pause' : 'play'), keys: ['Space'], enabled: can,
       pressed: () => runner.run.phase === 'playing',
       run: () => void (runner.run.phase === 'playing' ? runner.pause() : runner.play()) },
-    { id: 'run.back', label: 'One step back', keys: [','], enabled: () => can() && (runner.run.state?.tick ?? 0) > 0,
+    { id: 'run.back', label: 'One step back', icon: 'back', keys: [','], enabled: () => can() && (runner.run.state?.tick ?? 0) > 0,
       run: () => void runner.seek((runner.run.state?.tick ?? 1) - 1) },
-    { id: 'run.step', label: 'One step', keys: ['.'], enabled: () => can() && runner.run.phase !== 'done', run: () => void runner.step() },
-    { id: 'run.end', label: 'To the end', keys: ['E'], enabled: () => can() && runner.run.phase !== 'done', run: () => void runner.end() },
-    { id: 'run.reset', label: 'Back to the start', keys: ['Shift+E'], enabled: can, run: () => void runner.seek(0) },
-    { id: 'run.cancel', label: 'Cancel', keys: ['Escape'], enabled: () => ['playing', 'starting'].includes(runner.run.phase), run: () => void runner.cancel() },
-    { id: 'run.again', label: 'Run again', keys: ['R'], run: () => void runner.load(store.project) },
+    { id: 'run.step', label: 'One step', icon: 'step', keys: ['.'], enabled: () => can() && runner.run.phase !== 'done', run: () => void runner.step() },
+    { id: 'run.end', label: 'To the end', icon: 'end', keys: ['E'], enabled: () => can() && runner.run.phase !== 'done', run: () => void runner.end() },
+    { id: 'run.reset', label: 'Back to the start', icon: 'reset', keys: ['Shift+E'], enabled: can, run: () => void runner.seek(0) },
+    { id: 'run.cancel', label: 'Cancel', icon: 'cancel', keys: ['Escape'], enabled: () => ['playing', 'starting'].includes(runner.run.phase), run: () => void runner.cancel() },
+    { id: 'run.again', label: 'Run again', icon: 'again', keys: ['R'], run: () => void runner.load(store.project) },
   );
   const slider = h('input', { type: 'range', min: '0', max: '0', value: '0', id: 'tick', 'aria-label': 'Iteration',
     oninput: () => void runner.seek(Number(slider.value)) });
@@ -23,9 +23,9 @@ export function installTimeline({ actions, runner, store, announce }) {
   const footer = /** @type {HTMLElement} */ (document.getElementById('timeline'));
   footer.append(
     h('div', { className: 'buttons', role: 'group', 'aria-label': 'Run' },
-      actions.button('run.reset', { text: '⏮' }), actions.button('run.back', { text: '◀' }),
-      actions.button('run.play', { text: '⏯', className: 'primary' }), actions.button('run.step', { text: '▶' }),
-      actions.button('run.end', { text: '⏭' }), actions.button('run.cancel', { text: '✕' })),
+      actions.button('run.reset'), actions.button('run.back'),
+      actions.button('run.play', { className: 'primary' }), actions.button('run.step'),
+      actions.button('run.end'), actions.button('run.cancel')),
     slider, stage);
 
   let spoken = '';
