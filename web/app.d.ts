@@ -6,6 +6,7 @@ import type { Runner } from './run/runner.js';
 import type { Store } from './state/store.js';
 import type { Themes } from './header/theme.js';
 import type { Scene } from './types';
+import type { Drawing, Run, Scene } from './types';
 
 export interface App {
   store: Store;
@@ -16,6 +17,8 @@ export interface App {
   themes: Themes;
   /** Says a sentence to screen readers. */
   announce: (text: string) => void;
+  /** What is wrong with a drawing; the mesher is not called with it. Set by the sketch part. */
+  problemsOf: (drawing: Drawing) => NonNullable<Run['error']>[];
   /** The scene as it is drawn now. */
   scene: () => Scene;
 }

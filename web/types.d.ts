@@ -48,13 +48,17 @@ export interface Run {
   project: Project | null;
   /** Where the run is; null before the first state. */
   state: State | null;
-  /** What is drawn, taken at `state`. */
+  /** What is drawn; says itself at which state it was taken. */
   frame: Snapshot | null;
-  /** States reached so far, by tick. */
+  /** The project that `frame` is of: an older one's is kept until there is a new picture. */
+  frameOf: Project | null;
+  /** States seen so far, by tick; not every tick need be there. */
   history: State[];
   result: MeshResult | null;
   error: { code: string; message: string; where: import('lpquad').Where } | null;
 }
+
+export type Freshness = 'current' | 'preview' | 'old';
 
 /** World to screen: x' = scale (x - left), y' = scale (top - y); y points up in the world. */
 export interface View {
@@ -85,6 +89,8 @@ export interface Palette {
 export interface Scene {
   drawing: Drawing;
   frame: Snapshot | null;
+  /** Whether the mesh is the drawing's: a preview is coarse, an old one was of another drawing. */
+  freshness: Freshness;
   result: MeshResult | null;
   layers: ReadonlySet<LayerName>;
   palette: Palette;

@@ -18,9 +18,11 @@ const layers = [
 
 /** @param {Pen} pen  @param {Scene} scene  @param {View} view */
 export function draw(pen, scene, view) {
+  const pale = scene.freshness === 'preview' || scene.freshness === 'old';  // not the drawing's own
   for (const [name, drawLayer] of layers)
     if (scene.layers.has(name)) {
       pen.save();
+      if (pale && name !== 'boundary') pen.globalAlpha = 0.4;
       drawLayer(pen, scene, view);
       pen.restore();
     }

@@ -12,7 +12,7 @@ const sources = {
 const telling = {
   seeds: ['boundary', 'crosses'],
   optimise: ['boundary', 'cells', 'density'],
-  match: ['boundary', 'cells', 'density'],
+  match: ['boundary', 'triangles'],
   clean: ['boundary', 'matching', 'quads'],
   patch: ['boundary', 'quads', 'quality', 'valence'],
   smooth: ['boundary', 'quads', 'quality', 'valence'],
@@ -20,9 +20,14 @@ const telling = {
   done: ['boundary', 'quads', 'quality', 'valence'],
 };
 
+/** Before anything moved. @type {LayerName[]} */
+const seeded = ['boundary', 'triangles'];
+
 /** @param {Project['layers']} layers  @param {State | null} state  @returns {ReadonlySet<LayerName>} */
 export function shownLayers(layers, state) {
-  return new Set(layers === 'auto' ? telling[state?.stage ?? 'seeds'] : layers);
+  if (layers !== 'auto') return new Set(layers);
+  if (state?.stage === 'optimise' && state.iteration === 0) return new Set(seeded);
+  return new Set(telling[state?.stage ?? 'seeds']);
 }
 
 /** @param {Project['layers']} layers  @param {State} state  @returns {Layers} */

@@ -1,39 +1,68 @@
-// One run of the mesher on one project: plays, pauses, steps, goes back and forth, ends. What it
-// knows is one value, `run`, replaced at every change. Whatever was started for an older project
-// stops when a new one comes; nothing of it is shown as current.
+// One run of the mesher on one project. What is known of it is one value, `run`, replaced at every
+// change. What is asked for is one value too, `#wish`: asking changes it at once, and a single loop
+// makes it true step by step. So anything may be asked for at any moment, and the latest wins.
+// Whatever was begun for an older project is dropped; nothing of it is shown as current.
 /** @import { LpquadWorker, WorkerSession } from 'lpquad/worker' */
-/** @import { Layers, State } from 'lpquad' */
-/** @import { LayerName, Phase, Project, Run } from '../types' */
+/** @import { State } from 'lpquad' */
+/** @import { Project, Run } from '../types' */
 import { toCall } from '../state/project.js';
 import { neededFor } from './needed.js';
+import { nextPicture, Pace } from './pace.js';
 
 /** @type {Run} */
 const nothing = {
-  phase: 'loading', project: null, state: null, frame: null, history: [], result: null, error: null,
+  phase: 'loading', project: null, state: null, frame: null, frameOf: null, history: [], result: null, error: null,
 };
+
+/**
+ * @typedef {object} Wish
+ * @property {number | null} tick  to be at first
+ * @property {'' | 'play' | 'end'} going  then: stay, go on as a film, go on to the end
+ * @property {boolean} look  a picture is to be taken
+ */
+
+const chunk = 8;         // ticks between which a long way can be left
+const patience = 50;     // milliseconds a worker has to finish before it is ended
+const firstLook = 800;   // milliseconds on the way to the end before pictures are taken,
+const nextLook = 200;    // and between them
 
 export class Runner {
   /** @type {() => Promise<LpquadWorker>} */
   #createEngine;
   /** @type {Promise<LpquadWorker> | undefined} */
   #engine;
+  #ready = false;
   /** @type {WorkerSession | null} */
   #session = null;
+  #reached = 0;      // ticks, by the session
+  #generation = 0;   // of sessions; what comes back for an older one is dropped
+  #lives = 0;        // how often a lost worker is replaced
+  /** @type {Promise<void> | null} */
+  #driving = null;
+  /** @type {Wish} */
+  #wish = { tick: null, going: '', look: false };
+  /** @type {() => Promise<WorkerSession>} */
+  #open = () => Promise.reject(new Error('Nothing to run.'));
+  /** @type {Promise<unknown>} */
+  #ending = Promise.resolve();  // of the worker of what was left
+  #lookAt = 0;       // time of the next picture on the way to the end
+  #pace;
   /** @type {Set<(run: Run) => void>} */
   #listeners = new Set();
-  #generation = 0;  // of the project; what comes back for an older one is dropped
-  /** @type {Promise<unknown>} */
-  #queue = Promise.resolve();  // the session does one thing at a time
   /** @type {Run} */
   run = nothing;
-  /** Ticks per picture; below 1, pictures per tick. */
+  /** How fast a run plays; 1 takes some seconds. */
   speed = 1;
+  /** No pictures on the way to the end. */
+  still = false;
   /** @type {() => Project['layers']} */
   wantedLayers = () => 'auto';
 
-  /** @param {() => Promise<LpquadWorker>} createEngine */
-  constructor(createEngine) {
+  /** @param {() => Promise<LpquadWorker>} createEngine  @param {{pace?: Pace, picture?: () => Promise<unknown>}} [how] */
+  constructor(createEngine, { pace = new Pace(), picture = nextPicture } = {}) {
     this.#createEngine = createEngine;
+    this.#pace = pace;
+    this.picture = picture;
   }
 
   /** @param {(run: Run) => void} listener */
@@ -48,147 +77,275 @@ export class Runner {
     for (const listener of this.#listeners) listener(this.run);
   }
 
+  /** The worker; after a failure, another one. */
   engine() {
-    return (this.#engine ??= this.#createEngine());
+    this.#engine ??= this.#createEngine().then((engine) => {
+      this.#ready = true;
+      return engine;
+    }, (cause) => {
+      this.#engine = undefined;
+      throw Object.assign(new Error(`The mesher could not be loaded: ${cause.message}.`, { cause }), { code: 'NOT_LOADED' });
+    });
+    return this.#engine;
   }
+
+  /** Under way, or about to be. */
+  get going() { return this.#wish.going !== ''; }
+  get busy() { return this.#driving !== null; }
 
   /**
-   * Starts afresh with this project and, if asked, plays.
-   * @param {Project} project  @param {{play?: boolean}} [how]
+   * Starts afresh with this project. Ends when there is nothing left to do.
+   * @param {Project} project
+   * @param {{going?: Wish['going'], keep?: boolean, open?: () => Promise<WorkerSession>}} [how]
+   *   `keep` the old picture until there is a new one; `open` gives a session, recorded perhaps
    */
-  async load(project, { play = true } = {}) {
-    await this.#abandon();
-    const generation = this.#generation;
-    this.#become({ ...nothing, phase: 'starting', project, frame: this.run.frame });
-    await this.#guarded(generation, async () => {
-      const { domain, options } = toCall(project);
-      const engine = await this.engine();
-      const session = await engine.start(/** @type {any} */ (domain), options);
-      if (generation !== this.#generation) return void session.dispose().catch(() => {});
-      this.#session = session;
-      this.#become({ phase: 'paused', state: session.state, history: [session.state], frame: null });
-      await this.#look(generation);
-    });
-    if (play && generation === this.#generation && this.run.phase === 'paused') this.play();
+  load(project, { going = 'play', keep = true, open } = {}) {
+    this.#abandon();
+    this.#open = open ?? (() => this.#start(project));
+    this.#lives = 2;
+    this.#wish = { tick: null, going, look: going !== 'end' };
+    this.#lookAt = this.#pace.now() + firstLook;
+    const { frame, frameOf } = keep ? this.run : nothing;
+    this.#become({ ...nothing, phase: this.#ready ? 'starting' : 'loading', project, frame, frameOf });
+    return this.#drive();
   }
 
-  /** Ends what is under way; a worker in the middle of something goes. */
-  async #abandon() {
-    const session = this.#session;
-    const busy = this.run.phase === 'playing' || this.run.phase === 'starting';
+  /** @param {Project} project */
+  async #start(project) {
+    const { domain, options } = toCall(project);
+    const engine = await this.engine();
+    await engine.ready();
+    if (this.run.phase === 'loading') this.#become({ phase: 'starting' });
+    return engine.start(/** @type {any} */ (domain), options);
+  }
+
+  /** Instead of a run of a project that the mesher is not called with. @param {Project} project */
+  refuse(project, /** @type {NonNullable<Run['error']>} */ error) {
+    this.#abandon();
+    this.#open = () => Promise.reject(Object.assign(new Error(error.message), error));
+    const { frame, frameOf } = this.run;
+    this.#become({ ...nothing, phase: 'failed', project, frame, frameOf, error });
+  }
+
+  /** Leaves the session; a worker in the middle of something goes if it does not finish soon. */
+  #abandon() {
+    const [session, driving] = [this.#session, this.#driving];
     ++this.#generation;
     this.#session = null;
-    if (busy) (await this.engine()).terminate();
-    else await session?.dispose().catch(() => {});
+    this.#driving = null;
+    this.#wish = { tick: null, going: '', look: false };
+    if (driving) this.#ending = Promise.all([this.#ending, this.#endWorker(driving, session)]);
+    else session?.dispose?.().catch(() => {});
+  }
+
+  /** @param {Promise<void>} driving  @param {WorkerSession | null} session */
+  async #endWorker(driving, session) {
+    if (!this.#ready) return;
+    const engine = await this.engine();
+    const late = await Promise.race([driving.then(() => false), wait(patience).then(() => true)]);
+    if (late) engine.terminate();
+    else await session?.dispose?.().catch(() => {});
   }
 
   /** Stops at once and keeps what is on the screen. */
-  async cancel() {
-    if (this.run.phase !== 'playing' && this.run.phase !== 'starting') return;
-    await this.#abandon();
+  cancel() {
+    if (!this.busy) return;
+    this.#abandon();
     this.#become({ phase: 'cancelled' });
   }
 
-  /** Runs `work` for one project; its errors are shown unless the project is gone. */
-  async #guarded(/** @type {number} */ generation, /** @type {() => Promise<void>} */ work) {
+  /** Makes the wish true, unless that is under way. @returns {Promise<void>} */
+  #drive() {
+    const driving = this.#driving ?? this.#loop(this.#generation);
+    this.#driving = driving;
+    return driving;
+  }
+
+  /** @param {number} generation @returns {Promise<void>} */
+  async #loop(generation) {
+    await null;  // #driving is set before anything happens
+    const current = () => generation === this.#generation;
     try {
-      await work();
+      if (this.#session === null) await this.#begin(current);
+      while (current() && this.#next !== 'rest') await this.#do(/** @type {any} */ (this.#session), current);
     } catch (thrown) {
-      if (generation !== this.#generation) return;
-      const { code = 'INTERNAL', message, where = {} } = /** @type {any} */ (thrown);
-      this.#become({ phase: 'failed', error: { code, message, where } });
+      if (!current()) return;
+      if (this.#survives(/** @type {any} */ (thrown))) return this.#loop(generation);
+      return this.#fail(/** @type {any} */ (thrown));
     }
+    if (current()) this.#rest();
   }
 
-  /** One thing after the other, each only if the project is still the same. */
-  #enqueue(/** @type {(session: WorkerSession, generation: number) => Promise<void>} */ work) {
-    const generation = this.#generation;
-    const next = this.#queue.then(() => this.#guarded(generation, async () => {
-      if (generation === this.#generation && this.#session) await work(this.#session, generation);
-    }));
-    this.#queue = next;
-    return next;
+  /** @param {() => boolean} current */
+  async #begin(current) {
+    await this.#ending;
+    if (!current()) return;
+    const session = await this.#open();
+    if (!current()) return void session.dispose?.().catch(() => {});
+    this.#pace.begin();
+    this.#session = session;
+    this.#reached = session.state.tick;
+    this.#become({ phase: this.going ? 'playing' : 'paused', error: null, ...this.#seen(session.state) });
   }
 
-  /** Takes what the layers need from the session as it stands. */
-  async #look(/** @type {number} */ generation) {
-    const session = this.#session;
-    if (session === null) return;
-    const frame = await session.snapshot(neededFor(this.wantedLayers(), session.state));
-    if (generation === this.#generation) this.#become({ frame, state: session.state });
+  /** What the wish wants next. */
+  get #next() {
+    const { tick, going, look } = this.#wish;
+    const { state } = /** @type {WorkerSession} */ (this.#session);
+    const done = state.stage === 'done';
+    if (tick !== null && tick !== state.tick && !(done && tick > state.tick)) return 'travel';
+    if (done && this.run.result === null) return 'finish';
+    if (look) return 'look';
+    return going === '' || done ? 'rest' : going;
+  }
+
+  /** @param {WorkerSession} session  @param {() => boolean} current @returns {Promise<void>} */
+  #do(session, current) {
+    const next = this.#next;
+    if (next === 'travel') return this.#travel(session, /** @type {number} */ (this.#wish.tick), current);
+    this.#wish.tick = null;
+    if (next === 'finish') return this.#finish(session, current);
+    if (next === 'look') return this.#look(session, current);
+    return next === 'play' ? this.#play(session, current) : this.#hurry(session, current);
+  }
+
+  /** Nothing is left to do. What is told here may ask for more. */
+  #rest() {
+    this.#driving = null;
+    this.#wish = { tick: null, going: '', look: false };
+    const phase = this.#session?.state.stage === 'done' ? 'done' : 'paused';
+    if (this.run.phase !== phase) this.#become({ phase });
+  }
+
+  /** @param {WorkerSession} session  @param {number} tick  @param {() => boolean} current */
+  async #travel(session, tick, current) {
+    if (tick <= this.#reached) await session.restore(tick);
+    else await this.#step(session, Math.min(chunk, tick - session.state.tick), current);
+    if (!current()) return;
+    if (session.state.tick === tick || session.state.stage === 'done') await this.#look(session, current);
+    else this.#become(this.#seen(session.state));
+  }
+
+  /** The next picture of the film, when it is due. @param {WorkerSession} session  @param {() => boolean} current */
+  async #play(session, current) {
+    await this.picture();
+    if (!current() || this.#next !== 'play') return;
+    const due = this.#pace.take(session.state, this.speed);
+    if (due === 0) return;
+    await this.#step(session, due, current);
+    if (current()) await this.#look(session, current);
+  }
+
+  /** Some way to the end. @param {WorkerSession} session  @param {() => boolean} current */
+  async #hurry(session, current) {
+    await this.#step(session, session.state.stage === 'optimise' ? chunk : 1, current);
+    if (!current()) return;
+    const { stage } = session.state;
+    if (stage === 'done' || (!this.still && this.#pace.now() > this.#lookAt)) await this.#look(session, current);
+    else this.#become(this.#seen(session.state));
+  }
+
+  /** @param {WorkerSession} session  @param {number} ticks  @param {() => boolean} current */
+  async #step(session, ticks, current) {
+    const onProgress = (/** @type {State} */ state) => {
+      if (current()) this.run = { ...this.run, history: remembered(this.run.history, state) };
+    };
+    await session.step(ticks, { onProgress });
+    if (current()) this.#reached = Math.max(this.#reached, session.state.tick);
+  }
+
+  /** @param {State} state  @returns {Partial<Run>} */
+  #seen(state) {
+    return { state, history: remembered(this.run.history, state) };
+  }
+
+  /** Takes what the layers need from the session as it stands. @param {WorkerSession} session  @param {() => boolean} current */
+  async #look(session, current) {
+    this.#wish.look = false;
+    const { state } = session;
+    const frame = await session.snapshot(neededFor(this.wantedLayers(), state));
+    if (!current()) return;
+    this.#lookAt = this.#pace.now() + nextLook;
+    this.#become({ frame, frameOf: this.run.project, ...this.#seen(state) });
+  }
+
+  /** @param {WorkerSession} session  @param {() => boolean} current */
+  async #finish(session, current) {
+    const result = await session.finish();
+    if (current()) this.#become({ result });
+  }
+
+  /** A lost worker is replaced, and the run goes on where it was. @param {{code?: string}} thrown */
+  #survives({ code }) {
+    if (code !== 'WORKER_LOST' || this.#lives-- <= 0) return false;
+    this.#session = null;
+    this.#wish.tick ??= this.run.state?.tick ?? null;
+    this.#wish.look = true;
+    return true;
+  }
+
+  /** @param {{code?: string, message: string, where?: object}} thrown */
+  #fail({ code = 'INTERNAL', message, where = {} }) {
+    this.#session?.dispose?.().catch(() => {});
+    this.#session = null;
+    this.#driving = null;
+    this.#wish = { tick: null, going: '', look: false };
+    this.#become({ phase: 'failed', error: { code, message, where } });
+  }
+
+  /** @param {Partial<Wish>} wish */
+  #ask(wish) {
+    if (this.run.project === null) return Promise.resolve();
+    const ended = this.#session === null && !this.busy;  // cancelled or failed: from there again
+    if (ended) this.#lives = 1;
+    this.#wish = { ...this.#wish, ...(ended && { tick: this.run.state?.tick ?? null, look: true }), ...wish };
+    const phase = this.#session === null ? 'starting' : this.going ? 'playing' : 'paused';
+    if (this.run.phase !== phase && !(phase === 'starting' && this.run.phase === 'loading')) this.#become({ phase });
+    return this.#drive();
   }
 
   /** The layers changed: look again. */
-  refresh() { return this.#enqueue((_, generation) => this.#look(generation)); }
-
-  async #advance(/** @type {WorkerSession} */ session, /** @type {number} */ ticks, /** @type {number} */ generation) {
-    const state = session.state.stage === 'done' ? session.state : await session.step(ticks);
-    if (generation !== this.#generation) return;
-    this.#remember(state);
-    await this.#look(generation);
-    if (state.stage === 'done') await this.#finish(session, generation);
+  refresh() {
+    if (this.#session === null && !this.busy) return Promise.resolve();
+    this.#wish.look = true;
+    return this.#drive();
   }
 
-  #remember(/** @type {State} */ state) {
-    if (this.run.history.at(-1)?.tick === state.tick) return;
-    const history = this.run.history.filter(({ tick }) => tick < state.tick);
-    this.#become({ history: [...history, state], state });
-  }
-
-  async #finish(/** @type {WorkerSession} */ session, /** @type {number} */ generation) {
-    const result = this.run.result ?? await session.finish();
-    if (generation === this.#generation) this.#become({ phase: 'done', result, state: session.state });
-  }
-
-  /** @returns {Promise<void>} */
+  /** Shows the rest as a film; from the start if this is the end. */
   play() {
-    if (this.run.phase === 'done') return this.seek(0).then(() => this.play());
-    if (this.run.phase !== 'paused') return Promise.resolve();
-    this.#become({ phase: 'playing' });
-    return this.#enqueue(async (session, generation) => {
-      while (generation === this.#generation && this.run.phase === 'playing') {
-        const { stage } = session.state;
-        await this.#advance(session, stage === 'optimise' ? Math.max(1, Math.round(this.speed)) : 1, generation);
-        await pause(this.speed);
-      }
-    });
+    this.#pace.begin();
+    return this.#ask({ going: 'play', ...(this.#atEnd && { tick: 0 }) });
   }
 
   pause() {
-    if (this.run.phase === 'playing') this.#become({ phase: 'paused' });
+    if (this.going) void this.#ask({ going: '' });
   }
 
-  step() {
-    this.pause();
-    return this.#enqueue((session, generation) => this.#advance(session, 1, generation));
-  }
-
-  /** To the end, with pictures only in between as they come. */
+  /** To the end, with pictures only if that takes long. */
   end() {
-    if (this.run.phase === 'playing') this.pause();
-    if (this.run.phase !== 'paused') return Promise.resolve();
-    this.#become({ phase: 'playing' });
-    return this.#enqueue(async (session, generation) => {
-      while (generation === this.#generation && this.run.phase === 'playing')
-        await this.#advance(session, 16, generation);
-    });
+    this.#lookAt = this.#pace.now() + firstLook;
+    return this.#atEnd ? Promise.resolve() : this.#ask({ going: 'end' });
   }
+
+  step() { return this.#atEnd ? Promise.resolve() : this.seek(this.#destined + 1); }
+  back() { return this.seek(Math.max(0, this.#destined - 1)); }
+  reset() { return this.seek(0); }
 
   /** To the state after `tick` ticks. @param {number} tick */
   seek(tick) {
-    this.pause();
-    return this.#enqueue(async (session, generation) => {
-      if (session.state.tick !== tick) await session.restore(tick);
-      await this.#look(generation);
-      if (generation !== this.#generation) return;
-      if (session.state.stage === 'done') await this.#finish(session, generation);
-      else this.#become({ phase: 'paused' });
-    });
+    return this.#ask({ tick, going: '' });
   }
+
+  get #destined() { return this.#wish.tick ?? this.#session?.state.tick ?? this.run.state?.tick ?? 0; }
+  get #atEnd() { return this.#wish.tick === null && this.run.state?.stage === 'done' && this.run.phase !== 'failed'; }
 }
 
-/** The time a picture stands. */
-function pause(/** @type {number} */ speed) {
-  const milliseconds = speed < 1 ? 40 / speed : 0;
-  return new Promise((resolve) => setTimeout(resolve, milliseconds));
+const wait = (/** @type {number} */ milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+/** @param {State[]} history  @param {State} state  @returns {State[]} by tick, each once */
+function remembered(history, state) {
+  const last = history.at(-1);
+  if (last === undefined || last.tick < state.tick) return [...history, state];
+  if (history.some(({ tick }) => tick === state.tick)) return history;
+  return [...history, state].sort((a, b) => a.tick - b.tick);
 }
