@@ -5,7 +5,6 @@ import type { Tabs } from './panels/tabs.js';
 import type { Runner } from './run/runner.js';
 import type { Store } from './state/store.js';
 import type { Themes } from './header/theme.js';
-import type { Scene } from './types';
 import type { Drawing, Run, Scene } from './types';
 
 export interface App {

@@ -8,28 +8,26 @@ import { Actions } from './panels/actions.js';
 import { setText } from './panels/dom.js';
 import { Tabs } from './panels/tabs.js';
 import { createEngine } from './run/engine.js';
-import { shownLayers } from './run/needed.js';
+import { installFollowing, installFreshness, shownOf } from './run/follow.js';
+import { Preview } from './run/preview.js';
 import { Runner } from './run/runner.js';
 import { installTimeline } from './run/timeline.js';
 import { presets } from './sketch/presets.js';
 import { Stage } from './stage/stage.js';
-import { haveSameMesh } from './state/project.js';
 import { Store } from './state/store.js';
 
 const element = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
 /** @returns {Scene} */
 function scene() {
-  const { frame, result, state } = runner.run;
-  const { drawing, layers } = store.project;
-  return {
-    drawing, frame, result, layers: shownLayers(layers, state), palette: themes.dark ? dark : light,
-  };
+  const { project } = store;
+  return { drawing: project.drawing, ...shownOf(project, runner.run, preview.shown), palette: themes.dark ? dark : light };
 }
 
 const themes = new Themes();
 const store = new Store(presets[0].project);
 const runner = new Runner(createEngine);
+const preview = new Preview(createEngine);
 const actions = new Actions();
 const stage = new Stage(element('stage'), scene);
 const tabs = new Tabs(element('panel'));
@@ -37,16 +35,18 @@ const tabs = new Tabs(element('panel'));
 /** @type {App} */
 const app = {
   store, runner, actions, stage, tabs, themes, scene,
+  problemsOf: () => [],
   announce: (text) => setText(element('announcer'), text),
 };
 
+runner.still = matchMedia('(prefers-reduced-motion: reduce)').matches;
 runner.wantedLayers = () => store.project.layers;
 installHeader(app);
 installTimeline(app);
 
-store.subscribe((project, before) => {
-  if (!haveSameMesh(project, before)) void runner.load(project);
-  else if (project.layers !== before.layers) void runner.refresh();
+installFollowing(app, preview);
+installFreshness(app, preview);
+store.subscribe(() => {
   stage.invalidate();
   actions.refresh();
 });
@@ -56,4 +56,5 @@ runner.subscribe(() => {
 });
 themes.subscribe(() => stage.invalidate());
 actions.listen(window);
-void runner.load(store.project);
+Object.assign(globalThis, { playground: app });  // for the browser's console
+void runner.load(store.project, { going: runner.still ? 'end' : 'play' });
