@@ -21,7 +21,8 @@ const element = (/** @type {string} */ id) => /** @type {HTMLElement} */ (docume
 /** @returns {Scene} */
 function scene() {
   const { project } = store;
-  return { drawing: project.drawing, ...shownOf(project, runner.run, preview.shown), palette: themes.dark ? dark : light };
+  const shown = shownOf(project, runner.run, preview.shown);
+  return { drawing: project.drawing, ...shown, palette: themes.dark ? dark : light, norm: project.options.norm ?? 6 };
 }
 
 const themes = new Themes();

@@ -78,12 +78,15 @@ export interface Palette {
   boundary: string;
   accent: string;
   error: string;
-  quadLow: [number, number, number];
-  quadHigh: [number, number, number];
-  densityLow: [number, number, number];
-  densityHigh: [number, number, number];
+  /** Within a region, below everything. */
+  region: string;
+  ramps: { density: Ramp; quality: Ramp; sizes: Ramp; costs: Ramp };
+  /** By faces too few or too many, -2 to 2. */
   valence: Record<number, string>;
 }
+
+/** Colours in the order of the values, each darker than the one before, or each lighter. */
+export type Ramp = [number, number, number][];
 
 /** What the draw functions see. */
 export interface Scene {
@@ -94,11 +97,24 @@ export interface Scene {
   result: MeshResult | null;
   layers: ReadonlySet<LayerName>;
   palette: Palette;
+  /** The p of the energy. */
+  norm: number;
 }
 
 /** The part of CanvasRenderingContext2D that drawing uses; a recorder or SVG writer has it too. */
 export type Pen = Pick<CanvasRenderingContext2D,
   'beginPath' | 'moveTo' | 'lineTo' | 'closePath' | 'arc' | 'fill' | 'stroke' | 'save' | 'restore'
-  | 'setLineDash' | 'fillStyle' | 'strokeStyle' | 'lineWidth' | 'globalAlpha' | 'lineJoin' | 'lineCap'>;
+  | 'setLineDash' | 'fillStyle' | 'strokeStyle' | 'lineWidth' | 'globalAlpha' | 'lineJoin' | 'lineCap'
+  | 'fillText' | 'font' | 'textAlign' | 'textBaseline'> & Partial<Bulk>;
+
+/** What a pen may offer for thousands of polygons and lines: no paths, colours as in ImageData. */
+export interface Bulk {
+  /** The first `count` pairs of `corners`, even-odd. */
+  fillPolygon(corners: Float64Array, count: number, rgba: number): void;
+  strokeLine(x0: number, y0: number, x1: number, y1: number, width: number, rgba: number): void;
+}
+
+/** Draws one layer; `yield` is where a long drawing may rest for a moment. */
+export type DrawLayer = (pen: Pen, scene: Scene, view: View) => void | Iterable<void>;
 
 export type { DomainFormat, MeshFormat, MeshOptions, MeshResult, Snapshot, State };

@@ -2,10 +2,10 @@
 /** @import { Layers, State } from 'lpquad' */
 /** @import { LayerName, Project } from '../types' */
 
-/** @type {Record<LayerName, keyof Layers | null>} */
+/** @type {Record<LayerName, (keyof Layers)[]>} */
 const sources = {
-  boundary: null, triangles: 'triangles', cells: 'cells', density: 'cells', crosses: 'crosses',
-  sizes: 'sizes', matching: 'matching', quads: 'quads', quality: 'quads', valence: 'quads',
+  boundary: [], triangles: ['triangles'], cells: ['cells'], density: ['cells', 'sizes'], crosses: ['crosses', 'sizes'],
+  sizes: ['sizes'], matching: ['matching'], quads: ['quads'], quality: ['quads'], valence: ['quads'],
 };
 
 /** What tells most at each stage. @type {Record<State['stage'], LayerName[]>} */
@@ -33,9 +33,6 @@ export function shownLayers(layers, state) {
 /** @param {Project['layers']} layers  @param {State} state  @returns {Layers} */
 export function neededFor(layers, state) {
   const needed = /** @type {Layers} */ ({});
-  for (const name of shownLayers(layers, state)) {
-    const source = sources[name];
-    if (source !== null) needed[source] = true;
-  }
+  for (const name of shownLayers(layers, state)) for (const source of sources[name]) needed[source] = true;
   return needed;
 }

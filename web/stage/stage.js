@@ -1,8 +1,8 @@
 // The drawing area: two canvases, one for the mesh, one above it for what is edited; pan, zoom and
 // pinch; every other pointer event goes to the tool in hand.
 /** @import { Point, Scene, View } from '../types' */
-import { draw } from '../draw/draw.js';
 import { fit, pan, toWorld, zoomAt } from '../draw/view.js';
+import { Painter } from './painter.js';
 
 /**
  * What a tool may do. Points are in the world; `pixel` is the size of a pixel there.
@@ -26,6 +26,7 @@ export class Stage {
   #dragging = /** @type {'' | 'tool' | 'pan'} */ ('');
   #dirty = { mesh: true, overlay: true };
   #scheduled = false;
+  #unfinished = false;  // of a picture made in portions
   /** Drawn on the upper canvas whatever the tool. @type {((context: CanvasRenderingContext2D, view: View) => void)[]} */
   overlays = [];
 
@@ -38,6 +39,7 @@ export class Stage {
     this.scene = scene;
     this.mesh = /** @type {HTMLCanvasElement} */ (element.querySelector('#mesh-canvas'));
     this.overlay = /** @type {HTMLCanvasElement} */ (element.querySelector('#overlay-canvas'));
+    this.painter = new Painter(this.mesh);
     new ResizeObserver(() => this.#resize()).observe(element);
     this.overlay.addEventListener('pointerdown', (event) => this.#down(event));
     this.overlay.addEventListener('pointermove', (event) => this.#move(event));
@@ -68,6 +70,7 @@ export class Stage {
     }
     if (first) this.view = fit(this.scene().drawing, width, height);
     else this.view = { ...pan(this.view, (width - this.view.width) / 2, (height - this.view.height) / 2), width, height };
+    this.#dirty = { mesh: true, overlay: true };
     this.#paint();  // at once: a canvas that changed its size is empty
   }
 
@@ -86,6 +89,10 @@ export class Stage {
   invalidate(what = 'all') {
     this.#dirty.overlay = true;
     if (what === 'all') this.#dirty.mesh = true;
+    this.#schedule();
+  }
+
+  #schedule() {
     if (this.#scheduled) return;
     this.#scheduled = true;
     requestAnimationFrame(() => this.#paint());
@@ -93,17 +100,15 @@ export class Stage {
 
   #paint() {
     this.#scheduled = false;
-    const scene = this.scene();
-    if (this.#dirty.mesh) {
-      const context = this.#clear(this.mesh);
-      draw(context, scene, this.view);
-    }
-    if (this.#dirty.overlay) {
+    const { mesh, overlay } = this.#dirty;
+    this.#dirty = { mesh: false, overlay: false };
+    if (overlay) {
       const context = this.#clear(this.overlay);
       for (const drawOverlay of this.overlays) drawOverlay(context, this.view);
       this.#tool.draw?.(context, this.view);
     }
-    this.#dirty = { mesh: false, overlay: false };
+    if (mesh || this.#unfinished) this.#unfinished = this.painter.paint(this.scene(), this.view, mesh);
+    if (this.#unfinished) this.#schedule();
   }
 
   /** @param {HTMLCanvasElement} canvas */

@@ -1,36 +1,77 @@
-/** @import { Pen, Scene, View } from '../../types' */
-import { mix } from '../palette.js';
+/** @import { Pen, Scene, Snapshot, View } from '../../types' */
+import { fillRows, lineWidth, strokeEdges } from '../bulk.js';
+import { once } from '../once.js';
+import { shadeCount, shadesOf } from '../palette.js';
+import { sizesAt } from '../sampler.js';
+import { edgesOfRows, typicalLength, welded } from '../topology.js';
 
-function tracePolygon(/** @type {Pen} */ pen, /** @type {Float64Array} */ points, /** @type {number} */ from, /** @type {number} */ to, /** @type {View} */ { scale, left, top }) {
-  for (let i = from; i < to; ++i)
-    pen[i === from ? 'moveTo' : 'lineTo']((points[2 * i] - left) * scale, (top - points[2 * i + 1]) * scale);
-  pen.closePath();
-}
+/** @typedef {NonNullable<Snapshot['cells']>} Cells */
 
 /** Clipped Voronoi cells. @param {Pen} pen  @param {Scene} scene  @param {View} view */
-export function drawCells(pen, { frame, palette }, view) {
+export function* drawCells(pen, { frame, palette }, view) {
   const cells = frame?.cells;
   if (!cells) return;
+  const edges = cellEdges(cells);
   pen.strokeStyle = palette.faint;
-  pen.lineWidth = 1;
-  for (let i = 0; i + 1 < cells.offsets.length; i += 8) {
-    pen.beginPath();
-    for (let k = i; k < Math.min(i + 8, cells.offsets.length - 1); ++k)
-      tracePolygon(pen, cells.points, cells.offsets[k], cells.offsets[k + 1], view);
-    pen.stroke();
-  }
+  pen.lineWidth = lineWidth(once(cells, 'length', () => typicalLength(cells.points, edges)) * view.scale);
+  yield* strokeEdges(pen, cells.points, edges, view);
 }
 
+/** @param {Cells} cells */
+const cellEdges = (cells) => once(cells, 'edges', () => edgesOfRows(welded(cells.points), cells.offsets, cells.points.length / 2));
+
+/** A perfect square has the density 1; this much is at the end of the ramp, whatever the picture. */
+export const highestDensity = 4;
+
 /** Energy per area of each cell: paper Fig. 22. @param {Pen} pen  @param {Scene} scene  @param {View} view */
-export function drawDensity(pen, { frame, palette }, view) {
+export function* drawDensity(pen, { frame, palette, norm }, view) {
   const cells = frame?.cells;
   if (!cells) return;
-  const sorted = Float64Array.from(cells.density).sort();
-  const high = sorted[Math.floor(0.98 * (sorted.length - 1))] || 1;
-  for (let i = 0; i + 1 < cells.offsets.length; ++i) {
-    pen.fillStyle = mix(palette.densityLow, palette.densityHigh, Math.min(1, cells.density[cells.sites[i]] / high));
-    pen.beginPath();
-    tracePolygon(pen, cells.points, cells.offsets[i], cells.offsets[i + 1], view);
-    pen.fill();
+  const relative = once(cells, `relative ${norm}`, () => relativeDensity(cells, frame.sizes, norm));
+  const perOctave = (shadeCount - 1) / Math.log2(highestDensity);
+  const shade = (/** @type {number} */ piece) =>
+    Math.round(Math.max(0, Math.min(shadeCount - 1, perOctave * Math.log2(Math.max(1, relative[cells.sites[piece]])))));
+  yield* fillRows(pen, { points: cells.points, vertices: null, offsets: cells.offsets }, shade, shadesOf(palette.ramps.density), view);
+}
+
+/**
+ * Energy per area of each cell over that of a square of the target size h, 2 / (2^p (p + 1) h²):
+ * without unit, and comparable where sizes differ.
+ * @param {Cells} cells  @param {Snapshot['sizes']} sizes  @param {number} p
+ */
+export function relativeDensity({ points, density, offsets, sites }, sizes, p) {
+  const perfect = 2 / (2 ** p * (p + 1));
+  const relative = new Float64Array(density.length);
+  const at = sizes?.sizes.length ? sizesAt(sizes) : undefined, usual = at ? 0 : usualArea({ points, offsets });
+  for (let i = 0; i < sites.length; ++i) {
+    const h = at?.(...middleOf(points, offsets[i], offsets[i + 1]));
+    relative[sites[i]] = density[sites[i]] * (h === undefined ? usual : h * h) / perfect;
   }
+  return relative;
+}
+
+/** @param {ArrayLike<number>} points  @param {number} from  @param {number} to @returns {[number, number]} */
+export function middleOf(points, from, to) {
+  let x = 0, y = 0;
+  for (let i = from; i < to; ++i) {
+    x += points[2 * i];
+    y += points[2 * i + 1];
+  }
+  return [x / (to - from), y / (to - from)];
+}
+
+/** Median area of the cells. @param {Pick<Cells, 'points' | 'offsets'>} cells */
+function usualArea({ points, offsets }) {
+  const areas = new Float64Array(offsets.length - 1).map((_, i) => areaOf(points, offsets[i], offsets[i + 1])).sort();
+  return areas[areas.length >> 1] ?? 1;
+}
+
+/** @param {ArrayLike<number>} points  @param {number} from  @param {number} to */
+export function areaOf(points, from, to) {
+  let twice = 0;
+  for (let i = from; i < to; ++i) {
+    const a = 2 * i, b = 2 * (i + 1 < to ? i + 1 : from);
+    twice += points[a] * points[b + 1] - points[b] * points[a + 1];
+  }
+  return twice / 2;
 }

@@ -1,41 +1,37 @@
-/** @import { Pen, Scene, View } from '../../types' */
-import { edgesOf, strokeEdges } from '../edges.js';
-import { mix } from '../palette.js';
-import { toScreen } from '../view.js';
+/** @import { Pen, Scene, Snapshot, View } from '../../types' */
+import { fillRows, lineWidth, rowsOf, strokeEdges } from '../bulk.js';
+import { once } from '../once.js';
+import { shadeCount, shadesOf } from '../palette.js';
+import { edgesOf, typicalLength } from '../topology.js';
 
-/** @param {Pen} pen  @param {Scene} scene  @param {View} view */
-export function drawQuads(pen, { frame, palette }, view) {
-  if (!frame?.quads) return;
+/** @typedef {NonNullable<Snapshot['quads']>} Quads */
+
+/** Lines of the quads, and of triangles that are left over. @param {Pen} pen  @param {Scene} scene  @param {View} view */
+export function* drawQuads(pen, { frame, palette }, view) {
+  const layer = frame?.quads;
+  if (!layer) return;
   pen.strokeStyle = palette.ink;
-  pen.lineWidth = 1;
-  strokeEdges(pen, frame.quads.points, edgesOf(frame.quads.quads, 4), view);
+  pen.lineWidth = lineWidth(quadLength(layer) * view.scale);
+  yield* strokeEdges(pen, layer.points, quadEdges(layer), view);
+  if (layer.triangles.length > 0) yield* strokeEdges(pen, layer.points, once(layer, 'left over', () => edgesOf(layer.triangles, 3)), view);
 }
 
-/** Quads coloured by η. @param {Pen} pen  @param {Scene} scene  @param {View} view */
-export function drawQuality(pen, { frame, palette }, { scale, left, top }) {
-  const layer = frame?.quads;
-  if (!layer) return;
-  const { points, quads, eta } = layer;
-  for (let f = 0; 4 * f < quads.length; ++f) {
-    pen.fillStyle = mix(palette.quadLow, palette.quadHigh, Math.max(0, 2 * eta[f] - 1));
-    pen.beginPath();
-    for (let k = 0; k < 4; ++k) {
-      const v = 2 * quads[4 * f + k];
-      pen[k === 0 ? 'moveTo' : 'lineTo']((points[v] - left) * scale, (top - points[v + 1]) * scale);
-    }
-    pen.fill();
-  }
-}
+/** @param {Quads} layer */
+const quadEdges = (layer) => once(layer, 'edges', () => edgesOf(layer.quads, 4));
+/** Typical side. @param {Quads} layer */
+export const quadLength = (layer) => once(layer, 'length', () => typicalLength(layer.points, quadEdges(layer)));
 
-/** Irregular vertices, by how many quads are too few or too many. @param {Pen} pen  @param {Scene} scene  @param {View} view */
-export function drawValence(pen, { frame, palette }, view) {
+/** The η at the low end of the ramp. */
+export const lowestQuality = 0.5;
+
+/** Quads coloured by η; left-over triangles have none. @param {Pen} pen  @param {Scene} scene  @param {View} view */
+export function* drawQuality(pen, { frame, palette }, view) {
   const layer = frame?.quads;
   if (!layer) return;
-  layer.excess.forEach((excess, v) => {
-    if (excess === 0) return;
-    pen.fillStyle = palette.valence[Math.max(-2, Math.min(2, excess))];
-    pen.beginPath();
-    pen.arc(...toScreen(view, layer.points[2 * v], layer.points[2 * v + 1]), 4, 0, 2 * Math.PI);
-    pen.fill();
-  });
+  const { points, quads, triangles, eta } = layer;
+  const shade = (/** @type {number} */ f) =>
+    Math.round((shadeCount - 1) * Math.max(0, Math.min(1, (eta[f] - lowestQuality) / (1 - lowestQuality))));
+  const shades = shadesOf(palette.ramps.quality);
+  yield* fillRows(pen, rowsOf(points, quads, 4), shade, shades, view);
+  yield* fillRows(pen, rowsOf(points, triangles, 3), () => 0, shades, view);
 }

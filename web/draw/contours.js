@@ -1,0 +1,75 @@
+// Bands and lines between whole heights of a function that is linear in every triangle.
+
+/** @typedef {[x: number, y: number, height: number]} Corner */
+
+/**
+ * Between k and k + 1 lies band k, 0 to bandCount - 1; lines separate the bands.
+ * @param {ArrayLike<number>} points  @param {Uint32Array} triangles  @param {ArrayLike<number>} heights  @param {number} bandCount
+ */
+export function contours(points, triangles, heights, bandCount) {
+  const out = new Pieces();
+  for (let t = 0; t < triangles.length; t += 3) {
+    const corner = (/** @type {number} */ k) => {
+      const v = triangles[t + k];
+      return /** @type {Corner} */ ([points[2 * v], points[2 * v + 1], heights[v]]);
+    };
+    cut([corner(0), corner(1), corner(2)], bandCount, out);
+  }
+  return out.arrays();
+}
+
+/** What was cut so far. */
+class Pieces {
+  /** @type {number[]} */
+  points = [];
+  offsets = [0];
+  /** @type {number[]} */
+  band = [];
+  /** @type {number[]} */
+  lines = [];
+
+  /** @param {Corner[]} polygon  @param {number} band */
+  add(polygon, band) {
+    for (const [x, y] of polygon) this.points.push(x, y);
+    this.offsets.push(this.points.length / 2);
+    this.band.push(band);
+  }
+
+  arrays() {
+    return {
+      bands: { points: Float64Array.from(this.points), offsets: Uint32Array.from(this.offsets), band: Uint8Array.from(this.band) },
+      lines: Float64Array.from(this.lines),
+    };
+  }
+}
+
+/** @param {Corner[]} triangle  @param {number} bandCount  @param {Pieces} out */
+function cut(triangle, bandCount, out) {
+  const [a, b, c] = triangle;
+  const inside = (/** @type {number} */ k) => Math.max(0, Math.min(bandCount - 1, k));
+  const first = inside(Math.floor(Math.min(a[2], b[2], c[2])));
+  const last = Math.max(first, inside(Math.ceil(Math.max(a[2], b[2], c[2])) - 1));
+  let rest = triangle;
+  for (let k = first; k < last; ++k) {
+    const level = k + 1, piece = clip(rest, level, -1);
+    const ends = piece.filter(([, , height]) => height === level);
+    if (ends.length === 2) out.lines.push(ends[0][0], ends[0][1], ends[1][0], ends[1][1]);
+    if (piece.length > 2) out.add(piece, k);
+    rest = clip(rest, level, 1);
+  }
+  if (rest.length > 2) out.add(rest, last);
+}
+
+/** The part of a polygon above (side 1) or below (-1) a height. @param {Corner[]} polygon  @param {number} level  @param {1 | -1} side */
+function clip(polygon, level, side) {
+  /** @type {Corner[]} */
+  const kept = [];
+  polygon.forEach((p, i) => {
+    const q = polygon[(i + 1) % polygon.length], a = side * (p[2] - level), b = side * (q[2] - level);
+    if (a >= 0) kept.push(p);
+    if (a * b >= 0) return;
+    const t = a / (a - b);
+    kept.push([p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), level]);
+  });
+  return kept;
+}

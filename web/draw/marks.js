@@ -1,0 +1,59 @@
+// Marks for vertices where too few or too many quads meet, told apart by shape as well as colour.
+/** @import { Palette, Pen } from '../types' */
+
+/** @typedef {'diamond' | 'triangle' | 'pentagon' | 'star'} Shape */
+
+/** @type {Record<number, {shape: Shape, text: string}>} */
+const byExcess = {
+  [-2]: { shape: 'diamond', text: 'two or more quads too few' },
+  [-1]: { shape: 'triangle', text: 'one quad too few' },
+  1: { shape: 'pentagon', text: 'one quad too many' },
+  2: { shape: 'star', text: 'two or more quads too many' },
+};
+
+/** @param {Palette} palette  @param {number} excess  quads too many */
+export function markOf(palette, excess) {
+  const kind = Math.max(-2, Math.min(2, excess));
+  return { ...byExcess[kind], colour: palette.valence[kind] };
+}
+
+/** Corners round (0, 0) within radius 1, y down. @param {Shape} shape @returns {[number, number][]} */
+export function cornersOf(shape) {
+  if (shape === 'diamond') return [[0, -1.15], [0.7, 0], [0, 1.15], [-0.7, 0]];
+  const count = { triangle: 3, pentagon: 5, star: 12 }[shape];
+  return Array.from({ length: count }, (_, i) => {
+    const angle = 2 * Math.PI * i / count - Math.PI / 2;
+    const reach = shape === 'star' ? (i % 2 === 0 ? 1.25 : 0.72) : shape === 'triangle' ? 1.3 : 1.1;
+    return [reach * Math.cos(angle), reach * Math.sin(angle)];
+  });
+}
+
+/**
+ * With a rim that keeps it apart from what is below.
+ * @param {Pen} pen  @param {Shape} shape  @param {number} x  @param {number} y  @param {number} radius
+ * @param {string} colour  @param {string} rim
+ */
+export function drawMark(pen, shape, x, y, radius, colour, rim) {
+  pen.fillStyle = colour;
+  pen.strokeStyle = rim;
+  pen.lineWidth = 1;
+  traceMark(pen, shape, x, y, radius);
+  pen.fill();
+  pen.stroke();
+}
+
+/** @param {Pen} pen  @param {Shape} shape  @param {number} x  @param {number} y  @param {number} radius */
+export function traceMark(pen, shape, x, y, radius) {
+  pen.beginPath();
+  cornersOf(shape).forEach(([cx, cy], i) => pen[i === 0 ? 'moveTo' : 'lineTo'](x + radius * cx, y + radius * cy));
+  pen.closePath();
+}
+
+/** A short text in a mark. @param {Pen} pen  @param {string} text  @param {number} x  @param {number} y  @param {string} colour */
+export function writeIn(pen, text, x, y, colour) {
+  pen.fillStyle = colour;
+  pen.font = '600 11px system-ui, sans-serif';
+  pen.textAlign = 'center';
+  pen.textBaseline = 'middle';
+  pen.fillText(text, x, y + 1);
+}
