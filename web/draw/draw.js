@@ -28,9 +28,9 @@ const layers = [
 export function* drawing(pen, scene, view) {
   const shown = layers.filter(([name]) => scene.layers.has(name));
   if (scene.freshness === 'preview' || scene.freshness === 'old') {  // not the drawing's own: pale
-    yield* paint(shown.filter(([name]) => name !== 'boundary'), pen, scene, view);
+    yield* paint(shown.filter(([, drawLayer]) => drawLayer !== drawBoundary), pen, scene, view);
     veil(pen, scene, view);
-    yield* paint(shown.filter(([name]) => name === 'boundary').slice(1), pen, scene, view);
+    yield* paint(shown.filter(([, drawLayer]) => drawLayer === drawBoundary), pen, scene, view);
   } else yield* paint(shown, pen, scene, view);
 }
 
