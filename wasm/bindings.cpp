@@ -11,6 +11,7 @@
 #include "io/mesh/mesh_format.h"
 #include "io/report.h"
 #include "marshal.h"
+#include "mesh/quality.h"
 #include "options.h"
 #include "pipeline/session.h"
 #include "pipeline/snapshot.h"
@@ -18,12 +19,16 @@
 namespace lpq {
 namespace {
 
-/// {sizes: Float64Array x, y, h, ..; size, angle: functions of (x, y)}, each optional.
+/// {sizes: Float64Array x, y, h, ..; seeds: Float64Array x, y, ..; size, angle: functions of
+/// (x, y)}, each optional.
 UserFields fields_from(const val& fields) {
   UserFields user;
   const std::vector<double> at = doubles_from(fields["sizes"]);
   for (std::size_t i = 0; i + 2 < at.size(); i += 3)
     user.sizes.push_back({{at[i], at[i + 1]}, at[i + 2]});
+  const std::vector<double> seeds = doubles_from(fields["seeds"]);
+  for (std::size_t i = 0; i + 1 < seeds.size(); i += 2)
+    user.seeds.push_back({seeds[i], seeds[i + 1]});
   const val size = fields["size"], angle = fields["angle"];
   if (!size.isUndefined()) user.size = [size](Vec2 p) { return size(p.x, p.y).as<double>(); };
   if (!angle.isUndefined()) user.angle = [angle](Vec2 p) { return angle(p.x, p.y).as<double>(); };
@@ -97,6 +102,8 @@ class JsSession {
     js.set("iteration", m.iterations());
     js.set("maxIterations", m.max_iterations());
     js.set("energy", m.energy());
+    js.set("gradientNorm", m.gradient_norm());
+    js.set("tau", tau(m.triangles()));
     return js;
   }
   val result() const {

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/rng.h"
+#include "field/inside.h"
 #include "lpcvt/packing.h"
 #include "lpcvt/phase_field.h"
 
@@ -21,6 +22,8 @@ constexpr double lattice_side = 1.0745699318235418;
 constexpr double lattice_separation = 0.72;
 // Integer points of the phases nearer to each other than this share of h come from a fold.
 constexpr double phase_separation = 0.55;
+// The caller's points may be as bad a start as he likes, short of being one point.
+constexpr double given_separation = 1e-3;
 constexpr double half_root_3 = 0.86602540378443865;
 
 // Used vertices, edges (both sides of an inner wall are one) and triangles of the background.
@@ -230,6 +233,23 @@ std::vector<Vec2> aligned_seeds(const BoundaryMesh& boundary, const Fields& fiel
   PackingRule rule;
   rule.max_points = options.max_points;
   pack_inward(boundary, fields, walls, rule, packing);
+  return packing.interior();
+}
+
+std::vector<Vec2> given_seeds(const BoundaryMesh& boundary, const Fields& fields,
+                              std::span<const Vec2> points) {
+  const WallDistance walls(boundary, fields);
+  const std::vector<Index> region = regions_of(boundary, points);
+  Packing packing(boundary, fields);
+  Index hint = none;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (region[i] == none) continue;
+    const Vec2 p = points[i];
+    const double h = fields.size(p, hint), least = given_separation * h;
+    const auto too_near = [&](Index, Vec2 q) { return squared_length(q - p) < least * least; };
+    if (walls.nearer_than(p, h, least) || packing.grid.any_near(p, h, least, too_near)) continue;
+    packing.add(p, h, hint);
+  }
   return packing.interior();
 }
 

@@ -1,7 +1,8 @@
-// Initial interior points: the paper's ordinary isotropic start, and the aligned one.
+// Initial interior points: the paper's ordinary isotropic start, the aligned one, the caller's own.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/result.h"
@@ -28,6 +29,11 @@ std::vector<Vec2> isotropic_seeds(const BoundaryMesh& boundary, const Fields& fi
 /// holes filled by packing.
 std::vector<Vec2> aligned_seeds(const BoundaryMesh& boundary, const Fields& fields,
                                 const SeedOptions& options = {});
+
+/// The caller's own start: those of `points` that lie inside, apart from the walls and from each
+/// other. Cost O(n log n).
+std::vector<Vec2> given_seeds(const BoundaryMesh& boundary, const Fields& fields,
+                              std::span<const Vec2> points);
 
 /// The packing alone: from walls and existing points inward along both axes (O(n)).
 std::vector<Vec2> packed_seeds(const BoundaryMesh& boundary, const Fields& fields,

@@ -140,7 +140,10 @@ void Mesher::plan_attempts() {
   if (seeds == Seeds::automatic) seeds = paper ? Seeds::isotropic : Seeds::aligned;
   const bool isotropic = seeds == Seeds::isotropic;
   const int asked = options_.iterations;
-  if (isotropic || paper) {
+  if (!prepared_->seeds.empty()) {
+    const int iterations = asked < 0 ? isotropic_iterations : asked;
+    attempts_.push_back({.given = true, .iterations = iterations});
+  } else if (isotropic || paper) {
     attempts_.push_back({.seeds = seeds, .iterations = asked < 0 ? isotropic_iterations : asked});
   } else {
     // L_p can undo a good aligned start: with it and without it, the better mesh is kept.
@@ -152,6 +155,10 @@ void Mesher::plan_attempts() {
     attempts_.push_back({.seeds = Seeds::isotropic, .iterations = 20, .size_factor = 0.6});
   else
     attempts_.push_back({.seeds = Seeds::isotropic, .size_factor = 1.5, .subdivide = true});
+}
+
+double Mesher::gradient_norm() const {
+  return optimizer_ ? optimizer_->gradient_norm_history().back() : 0;
 }
 
 const UnitFrame& Mesher::frame() const { return prepared_->domain.frame; }
@@ -186,20 +193,12 @@ Result<Stage> Mesher::make_seeds() {
                 ? std::shared_ptr<const Fields>(prepared_, &prepared_->fields)
                 : std::make_shared<const Fields>(
                       with_scaled_size(prepared_->fields, attempt().size_factor));
-  SeedOptions seed_options;
-  seed_options.seed = options_.seed;
-  seed_options.max_points = options_.max_elements;
-  seeds_ = attempt().seeds == Seeds::isotropic ? isotropic_seeds(nodes, *fields_, seed_options)
-                                               : aligned_seeds(nodes, *fields_, seed_options);
-  if (static_cast<Index>(seeds_.size()) >= options_.max_elements)
-    return Error{ErrorCode::too_many_elements,
-                 "The graded size field asks for more than " +
-                     std::to_string(options_.max_elements) +
-                     " elements. Use a larger size or growth, or raise maxElements.",
-                 {}};
+  auto chosen = choose_seeds();
+  if (!chosen) return chosen.error();
+  seeds_ = std::move(*chosen);
   report_.seeds = static_cast<Index>(seeds_.size());
   report_.expected_seeds = expected_interior_points(nodes, *fields_);
-  report_.chain = seeds_name(attempt().seeds);
+  report_.chain = attempt().given ? "given" : seeds_name(attempt().seeds);
   if (trace_) trace_->seeds = seeds_;
 
   if (attempt().iterations > 0) {
@@ -220,6 +219,21 @@ Result<Stage> Mesher::make_seeds() {
   }
   if (trace_) trace_->start = triangles_;
   return stage_;
+}
+
+Result<std::vector<Vec2>> Mesher::choose_seeds() const {
+  if (attempt().given) return given_seeds(boundary(), *fields_, prepared_->seeds);
+  SeedOptions options;
+  options.seed = options_.seed;
+  options.max_points = options_.max_elements;
+  std::vector<Vec2> seeds = attempt().seeds == Seeds::isotropic
+                                ? isotropic_seeds(boundary(), *fields_, options)
+                                : aligned_seeds(boundary(), *fields_, options);
+  if (static_cast<Index>(seeds.size()) < options_.max_elements) return seeds;
+  return Error{ErrorCode::too_many_elements,
+               "The graded size field asks for more than " + std::to_string(options_.max_elements) +
+                   " elements. Use a larger size or growth, or raise maxElements.",
+               {}};
 }
 
 void Mesher::optimise(int iterations) {

@@ -39,6 +39,7 @@ class Mesher {
   int iterations() const { return optimizer_ ? optimizer_->iterations() : 0; }  // of L_p, so far
   int max_iterations() const { return attempt().iterations; }
   double energy() const { return optimizer_ ? optimizer_->energy() : 0; }
+  double gradient_norm() const;  // of the energy, now
   const UnitFrame& frame() const;
   const Fields& fields() const;
   const BoundaryMesh& boundary() const;
@@ -56,6 +57,7 @@ class Mesher {
   // check finds the mesh wanting.
   struct Attempt {
     Seeds seeds = Seeds::aligned;
+    bool given = false;  // start from the caller's points instead
     int iterations = 0;
     double size_factor = 1;
     bool subdivide = false;    // three quads per triangle: always valid, never pretty
@@ -70,6 +72,7 @@ class Mesher {
   void plan_attempts();
   const Attempt& attempt() const { return attempts_[attempt_]; }
   Result<Stage> make_seeds();
+  Result<std::vector<Vec2>> choose_seeds() const;
   void optimise(int iterations);
   void match();
   void clean();

@@ -51,7 +51,7 @@ struct Options {
   int max_elements = 10'000'000;
 };
 
-/// What the caller knows about size and direction, in the caller's units; all optional.
+/// What the caller knows better than the mesher, in the caller's units; all optional.
 struct UserFields {
   struct SizeAt {
     Vec2 position;
@@ -60,6 +60,7 @@ struct UserFields {
   std::vector<SizeAt> sizes;          // target size at points
   std::function<double(Vec2)> size;   // target size anywhere; wins over `sizes` and Options::size
   std::function<double(Vec2)> angle;  // direction of the crosses, radians; replaces the solve
+  std::vector<Vec2> seeds;  // interior points to start L_p from; those not inside are left out
 };
 
 template <class O, class F>

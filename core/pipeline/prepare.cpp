@@ -97,6 +97,15 @@ FieldOptions field_options(const UnitFrame& frame, const Options& options, const
   return fields;
 }
 
+Result<bool> judge_seeds(const std::vector<Vec2>& seeds) {
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+    if (!is_finite(seeds[i]))
+      return Error{ErrorCode::non_finite,
+                   "Seed point " + std::to_string(i) + " is not a pair of finite numbers.",
+                   {}};
+  return true;
+}
+
 // The fields know the unit frame only; people know their own coordinates.
 Error in_world(Error error, const UnitFrame& frame) {
   const Vec2 at = frame.to_world({error.where.x, error.where.y});
@@ -111,6 +120,8 @@ Result<Preparation> prepare(const DomainInput& input, const Options& options,
   if (!(options.size >= 0) || std::isinf(options.size))
     return size_error("The mesh size must be a positive finite number, or 0 for the domain's own.");
   if (const auto ranges = check_ranges(options); !ranges) return ranges.error();
+
+  if (const auto finite = judge_seeds(user.seeds); !finite) return finite.error();
 
   Preparation prepared;
   auto domain = make_domain(input, {.strict = options.strict});
@@ -128,6 +139,7 @@ Result<Preparation> prepare(const DomainInput& input, const Options& options,
       make_fields(prepared.boundary, field_options(prepared.domain.frame, options, user, *size));
   if (!fields) return in_world(fields.error(), prepared.domain.frame);
   prepared.fields = std::move(*fields);
+  for (const Vec2 seed : user.seeds) prepared.seeds.push_back(prepared.domain.frame.to_frame(seed));
   return prepared;
 }
 

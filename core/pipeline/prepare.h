@@ -12,6 +12,7 @@ struct Preparation {
   Domain domain;
   BoundaryMesh boundary;
   Fields fields;
+  std::vector<Vec2> seeds;  // the caller's, unit frame; empty = the method's own
 };
 
 /// Judges input and options, makes the 1D mesh and both fields.

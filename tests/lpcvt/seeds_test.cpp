@@ -86,6 +86,19 @@ TEST_CASE("every kind of seed is inside and clear") {
   }
 }
 
+TEST_CASE("given seeds are kept bit for bit, except those that cannot be seeds") {
+  const BoundaryMesh boundary = plate_with_hole(0.05, 24);
+  const Fields fields = fields_of(boundary);
+  const std::vector<Vec2> good = isotropic_seeds(boundary, fields);
+  std::vector<Vec2> points = good;
+  points.push_back(good.front());                                      // twice
+  points.push_back(boundary.points.front());                           // on a node
+  points.push_back(midpoint(boundary.points[0], boundary.points[1]));  // on a wall
+  points.push_back({1e6, 0});                                          // far outside
+  CHECK(given_seeds(boundary, fields, points) == good);
+  CHECK(given_seeds(boundary, fields, {}).empty());
+}
+
 TEST_CASE("counts fit what is expected") {
   for (const BoundaryMesh& boundary : shapes()) {
     const Fields fields = fields_of(boundary);

@@ -143,6 +143,24 @@ TEST_CASE("a caller's size and angle are followed") {
   CHECK(check_output(outcome->mesh).empty());
 }
 
+TEST_CASE("L_p squares up the caller's own start: paper Fig. 12") {
+  UserFields user;
+  user.seeds = jittered_grid(11, 0.15, 1);
+  const auto outcome = mesh_domain(square(1, 0.1), {.keep_boundary = true, .method = Method::paper},
+                                   {}, nullptr, user);
+  REQUIRE(outcome);
+  require_promises(square(1, 0.1), *outcome);
+  CHECK(outcome->report.seeds == 81);
+  CHECK(outcome->report.chain.rfind("given + L_p", 0) == 0);
+  CHECK(outcome->report.tau > 0.999);
+  CHECK(outcome->report.quality.quads == 100);
+
+  user.seeds.push_back({0.5, std::nan("")});
+  const auto refused = mesh_domain(square(1, 0.1), kept, {}, nullptr, user);
+  REQUIRE(!refused);
+  CHECK(refused.error().code == ErrorCode::non_finite);
+}
+
 TEST_CASE("a monitor can stop the run") {
   int calls = 0;
   const Monitor stop{[](const Progress&, void* user) { return ++*static_cast<int*>(user) < 3; },

@@ -146,6 +146,22 @@ test('regions, tags, polylines and points reach the mesh by name', () => {
   assert.ok(between.length > 0);
 });
 
+test('a start of the caller\'s own is squared up, and the run says how far it is', () => {
+  const seedPoints = [];
+  for (let j = 1; j < 10; ++j)
+    for (let i = 1; i < 10; ++i) seedPoints.push([(i + 0.1 * Math.sin(9 * i + 5 * j)) / 10, (j + 0.1 * Math.cos(7 * i * j)) / 10]);
+  const session = lpquad.start(square, { size: 0.1, method: 'paper', seedPoints });
+  const first = session.step();
+  assert.ok(first.gradientNorm > 0 && first.tau > 0.9);
+  const last = session.step(40);
+  assert.ok(last.tau > first.tau && last.gradientNorm < first.gradientNorm);
+  const mesh = session.finish();
+  assert.equal(mesh.report.seeds, 81);
+  assert.equal(mesh.report.lp.gradientNorm[0], first.gradientNorm);
+  assert.equal(meshHash(mesh), meshHash(lpquad.meshDomain(square, { size: 0.1, method: 'paper', seedPoints: seedPoints.flat() })));
+  session.dispose();
+});
+
 test('sizes at points, a size function and an angle function are followed', () => {
   const coarse = lpquad.meshDomain(square, { size: 0.1 }).report.quads;
   // A fine corner, given by samples 0.1 apart.

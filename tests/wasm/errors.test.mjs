@@ -70,6 +70,8 @@ test('options are known by name, type and range', () => {
     assert.match(refuse('BAD_OPTION', square, { [name]: 5 }).message, new RegExp(name));
   for (const sizes of [5, 'abc', [1, 2], [[1, 2]], [[1, 2, NaN]], [[1, 2, 3], 4], { length: 3 }])
     assert.match(refuse('BAD_OPTION', square, { sizes }).message, /sizes/);
+  for (const seedPoints of [5, [1], [[1]], [[1, NaN]], [[1, 2, 3]]])
+    assert.match(refuse('BAD_OPTION', square, { seedPoints }).message, /seedPoints/);
   assert.equal(lpquad.meshDomain(square, { size: 0.25, norm: undefined, sizes: undefined }).report.quads, 16);
 });
 

@@ -6,15 +6,14 @@ const wrong = (name, expected) =>
 
 const isList = (value) => Array.isArray(value) || ArrayBuffer.isView(value);
 
-/** [[x, y, h], ..] or a flat [x0, y0, h0, ..] */
-function flatSamples(sizes = []) {
-  const nested = isList(sizes) && isList(sizes[0]);
-  const form = !isList(sizes) ? false
-    : nested ? sizes.every((sample) => isList(sample) && sample.length === 3)
-    : sizes.length % 3 === 0;
-  const flat = !form ? [] : nested ? sizes.flatMap((sample) => [...sample]) : [...sizes];
-  if (!form || !flat.every(Number.isFinite))
-    throw wrong('sizes', 'points with a target size each: [[x, y, h], …], all finite numbers');
+/** Tuples of `width` numbers, nested or flat: [[x, y, h], …] or [x0, y0, h0, …]. */
+function flatTuples(name, list, width, expected) {
+  const nested = isList(list) && isList(list[0]);
+  const form = !isList(list) ? false
+    : nested ? list.every((tuple) => isList(tuple) && tuple.length === width)
+    : list.length % width === 0;
+  const flat = !form ? [] : nested ? list.flatMap((tuple) => [...tuple]) : [...list];
+  if (!form || !flat.every(Number.isFinite)) throw wrong(name, `${expected}, all finite numbers`);
   return Float64Array.from(flat);
 }
 
@@ -39,10 +38,14 @@ function guarded(name, f, kept) {
 export function splitOptions(options = {}) {
   if (options === null || typeof options !== 'object')
     throw new LpquadError('BAD_OPTION', 'The options must be an object.');
-  const { sizes, sizeAt, angleAt, onProgress, ...table } = options;
+  const { sizes = [], seedPoints = [], sizeAt, angleAt, onProgress, ...table } = options;
   const thrown = [];
-  const fields = { sizes: flatSamples(sizes), size: guarded('sizeAt', sizeAt, thrown),
-    angle: guarded('angleAt', angleAt, thrown) };
+  const fields = {
+    sizes: flatTuples('sizes', sizes, 3, 'points with a target size each: [[x, y, h], …]'),
+    seeds: flatTuples('seedPoints', seedPoints, 2, 'points [[x, y], …]'),
+    size: guarded('sizeAt', sizeAt, thrown),
+    angle: guarded('angleAt', angleAt, thrown),
+  };
   if (onProgress !== undefined && typeof onProgress !== 'function')
     throw wrong('onProgress', 'a function');
   return { table, fields, onProgress, thrown };

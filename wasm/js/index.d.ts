@@ -47,6 +47,11 @@ export interface MeshCallOptions extends MeshOptions {
   sizeAt?: (x: number, y: number) => number;
   /** Direction of the quads anywhere, radians; replaces the cross field. Not across workers. */
   angleAt?: (x: number, y: number) => number;
+  /**
+   * Interior points to start from, instead of those that `seeds` chooses; what is not inside is
+   * left out. 80 iterations of L_p follow unless `iterations` says otherwise.
+   */
+  seedPoints?: Loop;
   /** Called between steps; returning false ends the run with the error CANCELLED. */
   onProgress?: (progress: Progress) => boolean | void;
 }
@@ -171,6 +176,10 @@ export class LpquadError extends Error {
 /** Where a run is. A tick is one iteration of the L_p stage, or one whole stage elsewhere. */
 export interface State extends Progress {
   tick: number;
+  /** Of the L_p energy, without unit; 0 outside the optimisation. */
+  gradientNorm: number;
+  /** Eq. 2 of the paper, of the current triangulation: 1 for right-angled triangles. */
+  tau: number;
 }
 
 /** Names of the layers to take; see Snapshot. */
