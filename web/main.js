@@ -4,6 +4,7 @@
 import { dark, light } from './draw/palette.js';
 import { installHeader } from './header/header.js';
 import { Themes } from './header/theme.js';
+import { installMeshTab } from './mesh/mesh_tab.js';
 import { Actions } from './panels/actions.js';
 import { setText } from './panels/dom.js';
 import { Tabs } from './panels/tabs.js';
@@ -44,6 +45,7 @@ runner.still = matchMedia('(prefers-reduced-motion: reduce)').matches;
 runner.wantedLayers = () => store.project.layers;
 installHeader(app);
 installTimeline(app);
+installMeshTab(app);
 
 installFollowing(app, preview);
 installFreshness(app, preview);

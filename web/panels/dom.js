@@ -20,6 +20,16 @@ export function h(name, properties, ...children) {
   return element;
 }
 
+/** The same for SVG, whose properties are all attributes. @param {string} name  @param {Record<string, any> | null} [attributes] */
+export function s(name, attributes, /** @type {(Node | string | false)[]} */ ...children) {
+  const element = document.createElementNS('http://www.w3.org/2000/svg', name);
+  for (const [key, value] of Object.entries(attributes ?? {}))
+    if (key.startsWith('on')) element.addEventListener(key.slice(2), value);
+    else if (value !== undefined) element.setAttribute(key, value);
+  element.append(...children.filter((child) => child !== false));
+  return element;
+}
+
 /** Sets only what differs: screen readers speak at every change. @param {Element} element @param {string} text */
 export function setText(element, text) {
   if (element.textContent !== text) element.textContent = text;

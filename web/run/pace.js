@@ -2,15 +2,15 @@
 // of iterations and the speed of the machine.
 /** @import { State } from 'lpquad' */
 
-const settling = 2600;  // milliseconds for all iterations together
+const settling = 2200;  // milliseconds for all iterations together
 const longest = 300;    // of a gap between two pictures that is made up for
 const most = 64;        // ticks between two pictures
 
 /** Milliseconds before the next tick, at speed 1. @param {State} state */
 export function dwellOf({ stage, iteration, maxIterations }) {
   if (stage === 'seeds') return 250;
-  if (stage === 'optimise') return iteration === 0 ? 500 : Math.max(4, Math.min(130, settling / maxIterations));
-  return stage === 'patch' || stage === 'smooth' ? 200 : 350;
+  if (stage === 'optimise') return iteration === 0 ? 400 : Math.max(4, Math.min(130, settling / maxIterations));
+  return stage === 'match' || stage === 'clean' ? 350 : 140;
 }
 
 /** The time of the next picture. A page in the background gets none, but time goes on. */

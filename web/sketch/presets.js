@@ -26,7 +26,7 @@ const preset = (id, title, why, drawing, options) =>
 /** @type {Preset[]} */
 export const presets = [
   preset('plate', 'Plate with a hole', 'Voronoi cells become square round a hole: the method at work.',
-    plain(rectangle(0, 0, 2, 1), circle(1, 0.5, 0.22, 32)), { size: 0.06, method: 'paper', seeds: 'isotropic' }),
+    plain(rectangle(0, 0, 2, 1), circle(1, 0.5, 0.22, 32)), { size: 0.06, seeds: 'isotropic' }),
   preset('square', 'Square', 'The simplest domain; every vertex can be regular.',
     plain(rectangle(0, 0, 1, 1)), { size: 0.05 }),
 ];

@@ -1,0 +1,73 @@
+// The mesher's options: their names in plain words, what may be given, and how they are kept.
+/** @import { OptionInfo } from 'lpquad' */
+/** @import { Drawing, MeshOptions, Project } from '../types' */
+import { boundsOf } from '../draw/view.js';
+
+/** @typedef {number | boolean | string} Value */
+
+/** @type {Record<string, string>} */
+const names = {
+  size: 'Size of the quads', norm: 'Exponent p', iterations: 'Iterations', seeds: 'First points', seed: 'Random number',
+  smoothing: 'Smoothing', method: 'Method', effort: 'Effort', keepBoundary: 'Keep the boundary', elements: 'Elements',
+  growth: 'Growth of sizes', simplify: 'Simplify the outline', allowAddedPoint: 'Allow one added point',
+  strict: 'Strict about repeated points', sizeWeight: 'Weight of sizes', maxElements: 'Most elements',
+};
+
+/** Shown first, in this order. */
+export const mainOptions = ['size', 'norm', 'iterations', 'seeds', 'seed', 'method', 'effort', 'smoothing', 'keepBoundary', 'elements'];
+
+/** @param {string} name  also of an option that is newer than this list */
+export const nameOfOption = (name) => names[name]
+  ?? name.replace(/^./, (first) => first.toUpperCase()).replace(/[A-Z]/g, (letter, at) => (at > 0 ? ` ${letter.toLowerCase()}` : letter));
+
+/** @param {MeshOptions} options  @param {OptionInfo} info  @returns {Value} */
+export const valueOf = (options, info) => /** @type {Record<string, Value>} */ (options)[info.name] ?? info.default;
+
+/** The options with one of them changed; what is as usual is not kept.
+ * @param {MeshOptions} options  @param {OptionInfo} info  @param {Value} value  @returns {MeshOptions} */
+export function withOption(options, info, value) {
+  const changed = /** @type {Record<string, Value>} */ ({ ...options });
+  if (value === info.default) delete changed[info.name];
+  else changed[info.name] = value;
+  return /** @type {MeshOptions} */ (changed);
+}
+
+/** What is wrong with a text as the value of an option, in words; '' is nothing.
+ * @param {OptionInfo} info  @param {string} text */
+export function problemWith(info, text) {
+  const value = numberOf(text);
+  if (text.trim() === '' || Number.isNaN(value)) return 'A number is needed.';
+  if (info.type === 'integer' && !Number.isInteger(value)) return 'A whole number is needed.';
+  if (info.min !== undefined && value < info.min) return `At least ${inWords(info.min)}.`;
+  if (info.max !== undefined && value > info.max) return `At most ${inWords(info.max)}.`;
+  return '';
+}
+
+/** A comma is taken for a point: it is one on many keyboards. @param {string} text */
+export const numberOf = (text) => Number(text.trim().replace(',', '.'));
+
+/** @param {number} number  as short as it can be typed again */
+export const inWords = (number) => (Math.abs(number) >= 1e16 ? number.toExponential() : String(Number(number.toPrecision(6))));
+
+/** The numbers that an option takes, in words. @param {OptionInfo} info */
+export function rangeInWords({ type, min, max, unit }) {
+  if (type !== 'number' && type !== 'integer') return '';
+  const bounded = max !== undefined && max < 1e15;
+  const range = min === undefined ? '' : bounded ? `${inWords(min)} to ${inWords(max)}` : `${inWords(min)} or more`;
+  return [type === 'integer' ? 'whole number' : '', range, unit === 'length' ? "in the drawing's unit" : unit].filter(Boolean).join(', ');
+}
+
+/** Sizes that make sense for a drawing. @param {Drawing} drawing */
+export function sizeRange(drawing) {
+  const { left, right, bottom, top } = boundsOf(drawing);
+  const diagonal = Math.hypot(right - left, top - bottom) || 1;
+  return { least: diagonal / 300, most: diagonal / 5 };
+}
+
+/** Between the places 0 … 1 of a slider and sizes, evenly by ratio.
+ * @param {{least: number, most: number}} range  @param {number} place */
+export const sizeAt = ({ least, most }, place) => Number((least * (most / least) ** place).toPrecision(3));
+
+/** @param {{least: number, most: number}} range  @param {number} size */
+export const placeOf = ({ least, most }, size) =>
+  Math.max(0, Math.min(1, Math.log(size / least) / Math.log(most / least)));

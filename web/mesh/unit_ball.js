@@ -1,0 +1,40 @@
+// |x|^p + |y|^p = 1: what the L_p norm takes for round. The larger p, the squarer, and so are the
+// cells that it makes (the paper's Fig. 1).
+import { s } from '../panels/dom.js';
+
+const turn = Math.PI / 9;  // of the cross that the ball follows
+
+/** The ball as points, turned. @param {number} p  @param {number} [angle] @returns {[number, number][]} */
+export function unitBall(p, angle = 0, count = 96) {
+  const [c, d] = [Math.cos(angle), Math.sin(angle)];
+  return Array.from({ length: count }, (_, i) => {
+    const t = 2 * Math.PI * i / count;
+    const [x, y] = [Math.cos(t), Math.sin(t)];
+    const r = (Math.abs(x) ** p + Math.abs(y) ** p) ** (-1 / p);
+    return [r * (c * x - d * y), r * (d * x + c * y)];
+  });
+}
+
+const path = (/** @type {[number, number][]} */ points, /** @type {number} */ scale) =>
+  points.map(([x, y], i) => `${i === 0 ? 'M' : 'L'}${(scale * x).toFixed(2)} ${(-scale * y).toFixed(2)}`).join('') + 'Z';
+
+/** A small one. @param {number} p */
+export function ballIcon(p) {
+  return s('svg', { viewBox: '-14 -14 28 28', class: 'ball', 'aria-hidden': 'true' }, s('path', { d: path(unitBall(p, turn), 10) }));
+}
+
+/** The ball with the cross that turns it, beside the circle of p = 2. */
+export function createBall() {
+  const ball = s('path', { class: 'ball-shape' });
+  const arms = [0, 1].map((k) => {
+    const [x, y] = [30 * Math.cos(turn + k * Math.PI / 2), 30 * Math.sin(turn + k * Math.PI / 2)];
+    return s('line', { x1: -x, y1: y, x2: x, y2: -y, class: 'ball-arm' });
+  });
+  const element = s('svg', { viewBox: '-36 -36 72 72', class: 'ball-figure', role: 'img' },
+    s('circle', { r: 24, class: 'ball-circle' }), ball, ...arms);
+  const show = (/** @type {number} */ p) => {
+    ball.setAttribute('d', path(unitBall(p, turn), 24));
+    element.setAttribute('aria-label', `Unit ball of the L_p norm for p = ${p}, turned to a cross: ${p === 2 ? 'a circle' : 'a rounded square'}`);
+  };
+  return { element, show };
+}
