@@ -1,0 +1,63 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { createLpquad } from '../../dist/node.js';
+import { mainOptions, nameOfOption, numberOf, placeOf, problemWith, rangeInWords, sizeAt, sizeRange, valueOf, withOption } from '../../web/mesh/options.js';
+import { unitBall } from '../../web/mesh/unit_ball.js';
+import { areaOf, coarse } from '../../web/run/preview.js';
+import { presets } from '../../web/sketch/presets.js';
+
+const { options: infos } = await createLpquad();
+const info = (name) => infos.find((one) => one.name === name);
+
+test('every option of the library has a name, and all that are shown first exist', () => {
+  for (const name of mainOptions) assert.ok(info(name), name);
+  for (const { name } of infos) assert.match(nameOfOption(name), /^[A-Z][^A-Z]*( p)?$/);
+  assert.equal(nameOfOption('someNewThing'), 'Some new thing');
+});
+
+test('what the mesher refuses is refused in words, and nothing else', () => {
+  for (const [name, text, words] of [
+    ['norm', '', /number is needed/], ['norm', 'six', /number is needed/], ['norm', '1.9', /At least 2/], ['norm', '21', /At most 20/],
+    ['norm', 'Infinity', /At most 20/], ['iterations', '2.5', /whole number/], ['iterations', '-2', /At least -1/], ['size', '-1', /At least 0/],
+  ]) assert.match(problemWith(info(name), text), words);
+  for (const [name, text] of [['norm', '6'], ['norm', ' 2,5 '], ['iterations', '-1'], ['size', '1e-3'], ['seed', '9007199254740991']])
+    assert.equal(problemWith(info(name), text), '', `${name} ${text}`);
+  assert.equal(numberOf(' 2,5 '), 2.5);
+});
+
+test('only what differs from the defaults is kept', () => {
+  const norm = info('norm');
+  const changed = withOption({ size: 1 }, norm, 8);
+  assert.deepEqual(changed, { size: 1, norm: 8 });
+  assert.equal(valueOf(changed, norm), 8);
+  assert.deepEqual(withOption(changed, norm, norm.default), { size: 1 });
+  assert.equal(valueOf({}, norm), norm.default);
+});
+
+test('the size slider goes evenly by ratio over a range that fits the drawing', () => {
+  const range = sizeRange(presets[0].project.drawing);
+  for (const place of [0, 0.25, 0.5, 1]) assert.ok(Math.abs(placeOf(range, sizeAt(range, place)) - place) < 0.01);
+  const ratio = sizeAt(range, 0.5) / sizeAt(range, 0.25);
+  assert.ok(Math.abs(sizeAt(range, 0.75) / sizeAt(range, 0.5) - ratio) < 0.05 * ratio);
+  assert.equal(placeOf(range, 1e9), 1);
+  assert.match(rangeInWords(info('size')), /drawing's unit/);
+});
+
+test('the unit ball is where the norm is 1, whatever it is turned by', () => {
+  for (const p of [2, 4, 6, 8])
+    for (const [x, y] of unitBall(p)) assert.ok(Math.abs(Math.abs(x) ** p + Math.abs(y) ** p - 1) < 1e-12);
+  const [straight, turned] = [unitBall(6), unitBall(6, 1)];
+  straight.forEach(([x, y], i) => assert.ok(Math.abs(Math.hypot(x, y) - Math.hypot(...turned[i])) < 1e-12));
+});
+
+test('a preview asks for some hundred quads, unless less is wanted', () => {
+  const [plate] = presets;
+  const area = areaOf(plate.project.drawing);
+  assert.ok(Math.abs(area - (2 - Math.PI * 0.22 ** 2)) < 0.01);
+  const { options } = coarse(plate.project);
+  assert.ok(area / options.size ** 2 >= 300 && area / options.size ** 2 <= 500);
+  assert.equal(coarse({ ...plate.project, options: { size: 0.5 } }).options.size, 0.5);
+  const painted = coarse({ ...plate.project, options: {}, sizes: [[0, 0, 0.01], [1, 1, 0.1]] });
+  assert.ok(painted.sizes[0][2] >= options.size * 0.99);
+  assert.equal(painted.sizes[1][2] / painted.sizes[0][2], 10);
+});
