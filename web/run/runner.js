@@ -3,7 +3,7 @@
 // makes it true step by step. So anything may be asked for at any moment, and the latest wins.
 // Whatever was begun for an older project is dropped; nothing of it is shown as current.
 /** @import { LpquadWorker, WorkerSession } from 'lpquad/worker' */
-/** @import { State } from 'lpquad' */
+/** @import { Progress, State } from 'lpquad' */
 /** @import { Project, Run } from '../types' */
 import { toCall } from '../state/project.js';
 import { neededFor } from './needed.js';
@@ -247,8 +247,9 @@ export class Runner {
 
   /** @param {WorkerSession} session  @param {number} ticks  @param {() => boolean} current */
   async #step(session, ticks, current) {
-    const onProgress = (/** @type {State} */ state) => {
-      if (current()) this.run = { ...this.run, history: remembered(this.run.history, state) };
+    // Not all of a state; 0 is what is not known.
+    const onProgress = (/** @type {Progress & {tick: number}} */ progress) => {
+      if (current()) this.run = { ...this.run, history: remembered(this.run.history, { gradientNorm: 0, tau: 0, ...progress }) };
     };
     await session.step(ticks, { onProgress });
     if (current()) this.#reached = Math.max(this.#reached, session.state.tick);
@@ -346,6 +347,7 @@ const wait = (/** @type {number} */ milliseconds) => new Promise((resolve) => se
 function remembered(history, state) {
   const last = history.at(-1);
   if (last === undefined || last.tick < state.tick) return [...history, state];
-  if (history.some(({ tick }) => tick === state.tick)) return history;
-  return [...history, state].sort((a, b) => a.tick - b.tick);
+  const known = history.findIndex(({ tick }) => tick === state.tick);
+  if (known < 0) return [...history, state].sort((a, b) => a.tick - b.tick);
+  return history[known].tau !== 0 || state.tau === 0 ? history : history.with(known, state);
 }
