@@ -5,6 +5,7 @@ import type { Tabs } from './panels/tabs.js';
 import type { Runner } from './run/runner.js';
 import type { Store } from './state/store.js';
 import type { Themes } from './header/theme.js';
+import type { Keeping } from './state/keeping.js';
 import type { Drawing, Run, Scene } from './types';
 
 export interface App {
@@ -18,6 +19,9 @@ export interface App {
   announce: (text: string) => void;
   /** What is wrong with a drawing; the mesher is not called with it. Set by the sketch part. */
   problemsOf: (drawing: Drawing) => NonNullable<Run['error']>[];
+  keeping: Keeping;
+  /** Shows a sentence above the stage, and says it. */
+  notify: (text: string) => void;
   /** The scene as it is drawn now. */
   scene: () => Scene;
 }

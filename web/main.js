@@ -7,6 +7,7 @@ import { Themes } from './header/theme.js';
 import { installMeshTab } from './mesh/mesh_tab.js';
 import { Actions } from './panels/actions.js';
 import { setText } from './panels/dom.js';
+import { createNotices } from './panels/notice.js';
 import { Tabs } from './panels/tabs.js';
 import { createEngine } from './run/engine.js';
 import { installFollowing, installFreshness, shownOf } from './run/follow.js';
@@ -15,6 +16,7 @@ import { Runner } from './run/runner.js';
 import { installTimeline } from './run/timeline.js';
 import { presets } from './sketch/presets.js';
 import { Stage } from './stage/stage.js';
+import { Keeping, openFirst, openFragment } from './state/keeping.js';
 import { Store } from './state/store.js';
 
 const element = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -27,19 +29,21 @@ function scene() {
 }
 
 const themes = new Themes();
-const store = new Store(presets[0].project);
+const opened = await openFirst();
+const store = new Store(opened.project ?? presets[0].project);
 const runner = new Runner(createEngine);
 const preview = new Preview(createEngine);
 const actions = new Actions();
 const stage = new Stage(element('stage'), scene);
 const tabs = new Tabs(element('panel'));
 
-/** @type {App} */
-const app = {
+const app = /** @type {App} */ ({
   store, runner, actions, stage, tabs, themes, scene,
   problemsOf: () => [],
   announce: (text) => setText(element('announcer'), text),
-};
+  notify: createNotices(element('stage')),
+});
+app.keeping = new Keeping(app);
 
 runner.still = matchMedia('(prefers-reduced-motion: reduce)').matches;
 runner.wantedLayers = () => store.project.layers;
@@ -60,4 +64,12 @@ runner.subscribe(() => {
 themes.subscribe(() => stage.invalidate());
 actions.listen(window);
 Object.assign(globalThis, { playground: app });  // for the browser's console
+addEventListener('hashchange', async () => {
+  const { project, place, notice } = await openFragment(location.hash);
+  if (notice) app.notify(notice);
+  if (project) store.change('Open a link', project);
+  if (project && place.tick !== undefined) void runner.seek(place.tick);
+});
+if (opened.notice) app.notify(opened.notice);
 void runner.load(store.project, { going: runner.still ? 'end' : 'play' });
+if (opened.place.tick !== undefined) void runner.seek(opened.place.tick);

@@ -24,6 +24,8 @@ export type LayerName =
 export interface Project {
   /** Id of the preset the drawing is of; '' once it was changed or is the user's own. */
   preset: string;
+  /** What it is called if it is of no preset: the name of its file; '' = nothing yet. */
+  name: string;
   drawing: Drawing;
   /** Only what differs from the defaults. */
   options: MeshOptions;

@@ -2,7 +2,10 @@
 /** @import { App } from '../app' */
 /** @import { Themes } from './theme.js' */
 import { createHelp } from './help.js';
+import { titleOf } from '../files/names.js';
+import { setText } from '../panels/dom.js';
 import { installRegions } from './regions.js';
+import { installShare } from './share.js';
 
 const themeIcons = /** @type {const} */ ({ system: 'auto', light: 'sun', dark: 'moon' });
 
@@ -21,8 +24,16 @@ export function installHeader(app) {
     { id: 'page.help', label: 'Help', icon: 'help', keys: ['?', 'F1'], run: () => help.open() },
   );
   installRegions(app);
+  installShare(app);
+  const name = /** @type {HTMLElement} */ (document.getElementById('project-name'));
+  const showName = () => {
+    setText(name, titleOf(store.project));
+    document.title = `${titleOf(store.project)} – lpquad playground`;
+  };
+  store.subscribe(showName);
+  showName();
   /** @type {HTMLElement} */ (document.getElementById('header-actions')).append(
-    ...['edit.undo', 'edit.redo', 'view.fit', 'page.theme', 'page.help'].map((id) => actions.button(id)));
+    ...['edit.undo', 'edit.redo', 'view.fit', 'page.share', 'page.theme', 'page.help'].map((id) => actions.button(id)));
 }
 
 /** @param {App} app  @param {string} done  @param {string} label  @param {() => void} go */

@@ -8,6 +8,8 @@ const sources = {
   sizes: ['sizes'], matching: ['matching'], quads: ['quads'], quality: ['quads'], valence: ['quads'],
 };
 
+export const layerNames = /** @type {LayerName[]} */ (Object.keys(sources));
+
 /** What tells most at each stage. @type {Record<State['stage'], LayerName[]>} */
 const telling = {
   seeds: ['boundary', 'crosses'],

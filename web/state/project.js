@@ -6,7 +6,7 @@ export const emptyDrawing = { regions: [], polylines: [], points: [] };
 
 /** @type {Project} */
 export const emptyProject = {
-  preset: '', drawing: emptyDrawing, options: {}, sizes: [], guides: [], seedPoints: [],
+  preset: '', name: '', drawing: emptyDrawing, options: {}, sizes: [], guides: [], seedPoints: [],
   layers: 'auto', comparison: '',
 };
 

@@ -1,0 +1,104 @@
+// Links, the address bar, the browser's storage and project files, as a person meets them.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { presets } from '../../web/sketch/presets.js';
+import { toFragment } from '../../web/state/link.js';
+import { readProject } from '../../web/state/project_file.js';
+import { emptyProject } from '../../web/state/project.js';
+import { finished, startPlayground } from './support.mjs';
+
+let playground;
+before(async () => { playground = await startPlayground(); });
+after(() => playground.close());
+
+const square = presets.find(({ id }) => id === 'square').project;
+const small = { ...square, options: { size: 0.2 } };
+const count = async (page) => {
+  await finished(page);
+  return page.locator('.stage-name').textContent();
+};
+
+test('a link opens its project, and the address bar follows', async () => {
+  const page = await playground.open({ hash: await toFragment(small) });
+  assert.equal(await count(page), 'done: 25 quads');
+  assert.equal(await page.locator('#project-name').textContent(), 'Square');
+  await page.evaluate((hash) => { location.hash = hash; }, await toFragment({ ...square, options: { size: 0.25 } }));
+  await page.locator('.stage-name', { hasText: 'done: 16 quads' }).waitFor();
+  await page.click('[data-action="edit.undo"]');
+  await page.locator('.stage-name', { hasText: 'done: 25 quads' }).waitFor();
+  await page.waitForFunction(() => location.hash.includes('size:0.2') && !location.hash.includes('0.25'));
+  assert.match(await page.getAttribute('[data-action="edit.redo"]', 'title'), /^Redo: Open a link/);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('a link stands at its tick', async () => {
+  const page = await playground.open({ hash: '#preset=plate&tick=7' });
+  await page.waitForFunction(() => document.querySelector('#tick').value === '7');
+  await page.waitForFunction(() => location.hash.includes('tick=7'));
+  await page.context().close();
+});
+
+test('a hostile link leaves the page in order and says why', async () => {
+  for (const hash of ['#data=%00%ff', '#preset=<img src=x onerror=alert(1)>', '#preset=plate&options=size:NaN', '#%']) {
+    const page = await playground.open({ hash });
+    await page.locator('.notice', { hasText: 'This link could not be opened' }).waitFor();
+    await finished(page);
+    await page.click('.notice button');
+    assert.equal(await page.locator('.notice').isVisible(), false);
+    assert.deepEqual(page.errors, []);
+    await page.context().close();
+  }
+});
+
+test('the next visit finds the project, with or without storage', async () => {
+  const page = await playground.open({ hash: await toFragment(small) });
+  await count(page);
+  await page.goto('about:blank');
+  await page.goto(playground.address);
+  assert.equal(await count(page), 'done: 25 quads');
+  await page.evaluate(() => localStorage.setItem('lpquad.project', '{"lpquadProject":1,"drawing":7}'));
+  await page.goto('about:blank');
+  await page.goto(playground.address);
+  await finished(page);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+
+  const context = await playground.browser.newContext();
+  const blocked = await context.newPage();
+  const errors = [];
+  blocked.on('pageerror', (error) => errors.push(error.message));
+  await blocked.addInitScript(() => Object.defineProperty(window, 'localStorage', { get() { throw new DOMException('no', 'SecurityError'); } }));
+  await blocked.goto(`${playground.address}${await toFragment(small)}`);
+  assert.equal(await count(blocked), 'done: 25 quads');
+  await blocked.locator('.notice', { hasText: 'keeps nothing' }).waitFor();
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('sharing copies a link, and offers a file where a link would be too long', async () => {
+  const page = await playground.open({ hash: await toFragment(small) });
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  await count(page);
+  await page.keyboard.press('Shift+S');
+  await page.getByRole('button', { name: 'Copy the link' }).click();
+  await page.locator('#share-words', { hasText: 'copied' }).waitFor();
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  assert.equal(link, `${playground.address}${await toFragment(small)}`);
+  await page.keyboard.press('Escape');
+
+  const loop = Array.from({ length: 1200 }, (_, i) => [Math.cos(i * Math.PI / 600), Math.sin(i * Math.PI / 600)]);
+  const large = { ...emptyProject, name: 'ring.svg', options: { size: 0.3 }, drawing: { regions: [{ name: '', loops: [loop] }], polylines: [], points: [] } };
+  await page.evaluate((hash) => { location.hash = hash; }, await toFragment(large));
+  await page.locator('#project-name', { hasText: 'ring.svg' }).waitFor();
+  await page.waitForFunction(() => location.hash === '');
+  await page.keyboard.press('Shift+S');
+  await page.locator('#share-words', { hasText: 'as a file' }).waitFor();
+  assert.equal(await page.getByRole('button', { name: 'Copy the link' }).isVisible(), false);
+  const [file] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save as a file' }).click()]);
+  assert.equal(file.suggestedFilename(), 'ring.lpquad.json');
+  const { readFileSync } = await import('node:fs');
+  assert.deepStrictEqual(readProject(readFileSync(await file.path(), 'utf8')), large);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
