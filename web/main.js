@@ -2,6 +2,7 @@
 /** @import { App } from './app' */
 /** @import { Scene } from './types' */
 import { dark, light } from './draw/palette.js';
+import { installFiles } from './files/files.js';
 import { installHeader } from './header/header.js';
 import { Themes } from './header/theme.js';
 import { installMeshTab } from './mesh/mesh_tab.js';
@@ -36,20 +37,23 @@ const preview = new Preview(createEngine);
 const actions = new Actions();
 const stage = new Stage(element('stage'), scene);
 const tabs = new Tabs(element('panel'));
+const notify = createNotices(element('stage'));
 
-const app = /** @type {App} */ ({
+/** @type {App} */
+const app = {
   store, runner, actions, stage, tabs, themes, scene,
   problemsOf: () => [],
   announce: (text) => setText(element('announcer'), text),
-  notify: createNotices(element('stage')),
-});
-app.keeping = new Keeping(app);
+  notify,
+  keeping: new Keeping({ store, runner, notify }),
+};
 
 runner.still = matchMedia('(prefers-reduced-motion: reduce)').matches;
 runner.wantedLayers = () => store.project.layers;
 installHeader(app);
 installTimeline(app);
 installMeshTab(app);
+installFiles(app);
 
 installFollowing(app, preview);
 installFreshness(app, preview);

@@ -4,6 +4,8 @@ import { h } from './dom.js';
 export class Tabs {
   /** @type {{id: string, tab: HTMLButtonElement, body: HTMLElement}[]} */
   #parts = [];
+  /** @type {Set<(id: string) => void>} */
+  #listeners = new Set();
 
   /** @param {HTMLElement} panel */
   constructor(panel) {
@@ -33,7 +35,11 @@ export class Tabs {
       part.tab.tabIndex = open ? 0 : -1;
       part.body.hidden = !open;
     }
+    for (const listener of this.#listeners) listener(id);
   }
+
+  /** @param {(id: string) => void} listener  told which tab was opened */
+  subscribe(listener) { this.#listeners.add(listener); }
 
   get current() { return this.#parts.find(({ body }) => !body.hidden)?.id ?? ''; }
 

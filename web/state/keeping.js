@@ -53,7 +53,7 @@ export class Keeping {
   /** Which chapter of the tour is open, and the project as it set it. @type {{id: string, project: Project | null}} */
   chapter = { id: '', project: null };
 
-  /** @param {App} app */
+  /** @param {Pick<App, 'store' | 'runner' | 'notify'>} app */
   constructor(app) {
     this.#app = app;
     app.store.subscribe(() => this.#soon());
