@@ -1,5 +1,6 @@
 // A project as the text of a file (.lpquad.json). It is JSON, and numbers come back bit for bit: the
-// shortest digits do that, except for -0, which JSON.stringify would lose.
+// shortest digits do that, except for -0, which JSON.stringify would lose (and many readers with it,
+// unless it has a point).
 /** @import { Project } from '../types' */
 import { NotAProject, project as judged } from './judge.js';
 
@@ -8,7 +9,7 @@ const version = 1;
 
 /** @param {unknown} value  @returns {string} */
 export function exactJson(value) {
-  if (typeof value === 'number') return Object.is(value, -0) ? '-0' : JSON.stringify(value);
+  if (typeof value === 'number') return Object.is(value, -0) ? '-0.0' : JSON.stringify(value);
   if (Array.isArray(value)) return `[${value.map(exactJson).join(',')}]`;
   if (typeof value !== 'object' || value === null) return JSON.stringify(value);
   const members = Object.entries(value).filter(([, member]) => member !== undefined);
