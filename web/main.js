@@ -2,6 +2,7 @@
 /** @import { App } from './app' */
 /** @import { Scene } from './types' */
 import { dark, light } from './draw/palette.js';
+import { installFiguresTab } from './figures/figures_tab.js';
 import { installFiles } from './files/files.js';
 import { installHeader } from './header/header.js';
 import { Themes } from './header/theme.js';
@@ -53,6 +54,7 @@ runner.wantedLayers = () => store.project.layers;
 installHeader(app);
 installTimeline(app);
 installMeshTab(app);
+installFiguresTab(app);
 installFiles(app);
 
 installFollowing(app, preview);

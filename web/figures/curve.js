@@ -1,0 +1,80 @@
+// A curve over the iterations along which the run is scrubbed: by hovering, by dragging, by arrows.
+import { h, s, setText } from '../panels/dom.js';
+
+const width = 340, height = 96, left = 46, right = 8, top = 8, bottom = 18;
+
+/** @typedef {{x: number, y: number}} Sample */
+
+/**
+ * @param {{name: string, unit: string, log?: boolean, help: string}} what
+ * @param {{hover: (x: number) => void, leave: () => void, pin: (x: number) => void, turn: (key: string) => void}} scrub
+ */
+export function createCurve({ name, unit, log = false, help }, scrub) {
+  const line = s('polyline', { class: 'curve-line' }), mark = s('line', { class: 'curve-mark', y1: top, y2: height - bottom });
+  const dot = s('circle', { class: 'curve-dot', r: 4 });
+  const texts = ['high', 'low', 'from', 'to'].map((kind) => s('text', { class: `curve-${kind}` }));
+  const svg = s('svg', { viewBox: `0 0 ${width} ${height}`, 'aria-hidden': 'true' },
+    s('path', { class: 'curve-axis', d: `M${left} ${top}V${height - bottom}H${width - right}` }), line, mark, dot, ...texts);
+  const readout = h('span', { className: 'numbers' });
+  const area = h('div', { role: 'slider', tabIndex: 0, className: 'curve-area', 'aria-label': `${name} by iteration`, 'aria-valuemin': '0',
+    onpointermove: (/** @type {PointerEvent} */ event) => scrub.hover(xAt(event)), onpointerleave: () => scrub.leave(),
+    onpointerdown: (/** @type {PointerEvent} */ event) => scrub.pin(xAt(event)), onkeydown: turn }, svg);
+  const element = h('figure', { className: 'curve' },
+    h('figcaption', { title: help }, h('span', null, name), readout), area);
+  /** @type {Sample[]} */
+  let samples = [];
+  let end = 1;
+
+  /** @param {PointerEvent} event */
+  function xAt(event) {
+    const box = svg.getBoundingClientRect();
+    const part = ((event.clientX - box.left) / box.width * width - left) / (width - left - right);
+    return Math.round(Math.max(0, Math.min(1, part)) * end);
+  }
+  /** @param {KeyboardEvent} event */
+  function turn(event) {
+    if (!['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'Home', 'End'].includes(event.key)) return;
+    event.preventDefault();
+    scrub.turn(event.key);
+  }
+
+  /** @param {Sample[]} given  @param {number} planned  @param {number} at */
+  function show(given, planned, at) {
+    samples = given.filter(({ y }) => y > 0);
+    end = Math.max(1, planned);
+    const { low, high, x, y } = scales(samples, end, log);
+    line.setAttribute('points', samples.map((one) => `${x(one.x).toFixed(1)},${y(one.y).toFixed(1)}`).join(' '));
+    const now = samples.findLast((one) => one.x <= at);
+    for (const part of [mark, dot]) part.toggleAttribute('hidden', !now);
+    if (now) {
+      for (const end of ['x1', 'x2']) mark.setAttribute(end, String(x(at)));
+      dot.setAttribute('cx', String(x(now.x)));
+      dot.setAttribute('cy', String(y(now.y)));
+    }
+    label([[high, left - 4, top + 8, 'end'], [low, left - 4, height - bottom, 'end'], ['0', left, height - 4, 'start'], [String(end), width - right, height - 4, 'end']]);
+    const text = now ? `${now.y.toPrecision(4)}${unit}` : '';
+    setText(readout, text);
+    area.setAttribute('aria-valuemax', String(end));
+    area.setAttribute('aria-valuenow', String(at));
+    area.setAttribute('aria-valuetext', now ? `iteration ${now.x}: ${text}` : 'nothing yet');
+  }
+  /** @param {[string, number, number, string][]} places */
+  function label(places) {
+    places.forEach(([text, x, y, anchor], i) => {
+      setText(texts[i], text);
+      for (const [key, value] of Object.entries({ x, y, 'text-anchor': anchor })) texts[i].setAttribute(key, String(value));
+    });
+  }
+  return { element, show };
+}
+
+/** @param {Sample[]} samples  @param {number} end  @param {boolean} log */
+function scales(samples, end, log) {
+  const values = samples.map(({ y }) => y);
+  const [least, most] = values.length > 0 ? [Math.min(...values), Math.max(...values)] : [1, 1];
+  const to = log ? Math.log : (/** @type {number} */ value) => value;
+  const span = to(most) - to(least) || 1;
+  const x = (/** @type {number} */ value) => left + value / end * (width - left - right);
+  const y = (/** @type {number} */ value) => height - bottom - (to(value) - to(least)) / span * (height - top - bottom);
+  return { x, y, low: least.toPrecision(3), high: most.toPrecision(3) };
+}
