@@ -12,6 +12,7 @@ const percent = (/** @type {number} */ value) => `${value.toFixed(1)} %`;
 export const kinds = [
   { key: 'etaMean', name: 'Squareness, mean', symbol: 'η', help: 'How near to a right angle the corners of a quad are: 1 is a rectangle, 0 has a corner of 0° or 180°. Mean over all quads.', of: (f) => f.etaMean, write: three },
   { key: 'etaMin', name: 'Squareness, least', symbol: 'η min', help: 'The squareness of the worst quad.', of: (f) => f.etaMin, write: three },
+  { key: 'etaP5', name: 'Squareness, worst twentieth', symbol: 'η 5 %', help: 'One quad in twenty is less square than this.', of: (f) => f.etaP5, write: three },
   { key: 'fourValentPercent', name: 'Regular vertices', help: 'Interior vertices where four quads meet, as on a chessboard.', of: (f) => f.fourValentPercent, write: percent },
   { key: 'tau', name: 'Right angles before merging', symbol: 'τ', help: 'How much the triangles look like halves of squares (Eq. 2 of the paper): 1 is perfect.', of: (f) => f.tau, write: three },
   { key: 'quads', name: 'Quads', help: 'Four-sided elements.', of: (f) => f.quads, write: count },

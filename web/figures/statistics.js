@@ -15,6 +15,7 @@
  * @property {number} [irregular]  interior vertices without four quads
  * @property {number} [etaMean]
  * @property {number} [etaMin]
+ * @property {number} [etaP5]
  * @property {number} [fourValentPercent]
  * @property {number[]} [etaHistogram]  in 20 equal bins
  * @property {number[]} [valenceHistogram]
@@ -50,10 +51,10 @@ export function qualityOf({ points, quads, triangles, eta, valence, boundaryNode
 /** @param {Report} report @returns {Figures} */
 export function reported(report) {
   const { quality, vertices, quads, triangles, boundaryNodes, singularities, tau, size, hash } = report;
-  const { etaMean, etaMin, fourValentPercent, etaHistogram, valenceHistogram, interiorVertices } = quality;
+  const { etaMean, etaMin, etaP5, fourValentPercent, etaHistogram, valenceHistogram, interiorVertices } = quality;
   return {
     final: true, quads, triangles, vertices, boundaryNodes, singularities, tau, size, hash,
-    etaMean, etaMin, fourValentPercent, etaHistogram, valenceHistogram,
+    etaMean, etaMin, etaP5, fourValentPercent, etaHistogram, valenceHistogram,
     irregular: interiorVertices - (valenceHistogram[4] ?? 0),
     energy: report.lp.energy?.at(-1), gradientNorm: report.lp.gradientNorm?.at(-1), seconds: report.cpuSeconds,
   };
