@@ -55,7 +55,7 @@ test('arrow keys go along the curve, and the text says where', async () => {
   }
   assert.match(await curve().getAttribute('aria-valuetext'), /^iteration 3: \d\.\d+$/);
   await page.keyboard.press('End');
-  await titled('iteration 79 of');
+  await titled('Triangles to merge');
   await page.evaluate(() => globalThis.playground.runner.end());
   await titled('Finished mesh');
 });
