@@ -6,6 +6,7 @@ import { installFiguresTab } from './figures/figures_tab.js';
 import { installFiles } from './files/files.js';
 import { installHeader } from './header/header.js';
 import { Themes } from './header/theme.js';
+import { installLearn } from './learn/learn.js';
 import { installMeshTab } from './mesh/mesh_tab.js';
 import { Actions } from './panels/actions.js';
 import { setText } from './panels/dom.js';
@@ -56,6 +57,7 @@ installTimeline(app);
 installMeshTab(app);
 installFiguresTab(app);
 installFiles(app);
+const openChapter = installLearn(app);
 
 installFollowing(app, preview);
 installFreshness(app, preview);
@@ -75,7 +77,9 @@ addEventListener('hashchange', async () => {
   if (notice) app.notify(notice);
   if (project) store.change('Open a link', project);
   if (project && place.tick !== undefined) void runner.seek(place.tick);
+  openChapter(place.chapter, project === null);
 });
 if (opened.notice) app.notify(opened.notice);
 void runner.load(store.project, { going: runner.still ? 'end' : 'play' });
 if (opened.place.tick !== undefined) void runner.seek(opened.place.tick);
+openChapter(opened.place.chapter, opened.project === null);

@@ -13,7 +13,8 @@ const belongs = ({ name }, format) => new RegExp(`^${format}[A-Z]`).test(name);
 
 /** @param {App} app  @param {Description} description */
 export function createExport(app, { meshFormats, writeOptions }) {
-  const rows = meshFormats.map((format) => createRow(app, format, writeOptions.filter((option) => belongs(option, format))));
+  const order = Object.keys(formats);
+  const rows = [...meshFormats].sort((a, b) => order.indexOf(a) - order.indexOf(b)).map((format) => createRow(app, format, writeOptions.filter((option) => belongs(option, format))));
   const reason = h('p', { className: 'reason', id: 'export-reason' });
   const refresh = () => {
     const { mesh, reason: why } = currentMesh(app);

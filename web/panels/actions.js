@@ -57,7 +57,7 @@ export class Actions {
   /** @param {string} id  @param {Look} [look] */
   button(id, { text, labelled = false, title, className = '' } = {}) {
     const action = /** @type {Action} */ (this.#actions.get(id));
-    const named = labelled || text === action.label || (text === undefined && !action.icon);
+    const named = labelled || text !== undefined || !action.icon;
     const button = h('button', {
       type: 'button', className, 'data-action': id, 'aria-keyshortcuts': action.keys?.map(ariaKey).join(' ') || undefined,
       'aria-label': named ? undefined : action.label, onclick: () => this.run(id),

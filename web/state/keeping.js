@@ -62,6 +62,12 @@ export class Keeping {
     document.addEventListener('visibilitychange', () => { if (document.hidden) this.save(); });
   }
 
+  /** @param {string} id  @param {Project | null} project  the chapter's own figure, if that is shown */
+  open(id, project) {
+    this.chapter = { id, project };
+    this.#soon();
+  }
+
   /** Where the run stands, if that is not its end. @returns {Place} */
   get place() {
     const { phase, state, project } = this.#app.runner.run;

@@ -1,0 +1,68 @@
+// The Learn tab: one chapter at a time, with its live figure on the stage and its formula.
+/** @import { App } from '../app' */
+/** @import { Chapter } from './chapters.js' */
+import { h } from '../panels/dom.js';
+import { chapters } from './chapters.js';
+import { showFigure } from './figure.js';
+
+/** @param {App} app */
+export function installLearn(app) {
+  const { actions, tabs, runner } = app;
+  let at = -1;
+  const list = h('ol', { className: 'chapters' }, ...chapters.map(({ id, title }, k) =>
+    h('li', null, h('a', { href: `#chapter=${id}`, onclick: (/** @type {MouseEvent} */ event) => follow(event, k) }, title))));
+  const page = h('article', { 'aria-live': 'off' });
+  const body = tabs.add('learn', 'Learn', page, h('nav', { 'aria-label': 'Chapters' }, list));
+
+  /** @param {MouseEvent} event  @param {number} k */
+  function follow(event, k) {
+    if (event.ctrlKey || event.metaKey || event.shiftKey) return;  // a tab of its own
+    event.preventDefault();
+    open(k);
+  }
+
+  /** @param {number} k  @param {{figure?: boolean}} [how]  without its figure: the link brought another */
+  function open(k, { figure = true } = {}) {
+    at = k;
+    const chapter = chapters[k];
+    tabs.open('learn');
+    page.replaceChildren(...pageOf(chapter, k, app));
+    [...list.children].forEach((item, i) => item.firstElementChild?.toggleAttribute('aria-current', i === k));
+    if (figure) showFigure(app, chapter);
+    app.keeping.open(chapter.id, figure ? app.store.project : null);
+    app.announce(`Chapter ${k + 1} of ${chapters.length}: ${chapter.title}`);
+    actions.refresh();
+    body.scrollTop = 0;
+  }
+
+  actions.add(
+    { id: 'learn.next', label: 'Next chapter', icon: 'next', keys: ['N'], enabled: () => at < chapters.length - 1, run: () => open(at + 1) },
+    { id: 'learn.previous', label: 'Previous chapter', icon: 'previous', keys: ['Shift+N'], enabled: () => at > 0, run: () => open(at - 1) },
+    { id: 'learn.watch', label: 'Watch it happen', icon: 'play', enabled: () => at >= 0, run: () => void runner.seek(0).then(() => runner.play()) },
+  );
+  page.append(
+    h('h3', null, 'From an outline to quads, in seven steps'),
+    h('p', null, 'A short tour for those who have never meshed anything. Every step has a figure that you can play, change and undo; your drawing comes back with Undo.'),
+    h('div', { className: 'buttons' }, actions.button('learn.next', { text: 'Start the tour', className: 'primary' })));
+
+  /** Opens a chapter by its name in a link. @param {string | undefined} id  @param {boolean} figure */
+  return (id, figure) => {
+    const k = chapters.findIndex((chapter) => chapter.id === id);
+    if (k >= 0) open(k, { figure });
+  };
+}
+
+/** @param {Chapter} chapter  @param {number} k  @param {App} app */
+function pageOf({ title, text, formula, spoken, source }, k, { actions }) {
+  const math = h('div', { className: 'formula' });
+  const calm = formula.replace(/<mo>([()‖])<\/mo>/g, '<mo stretchy="false">$1</mo>');
+  math.innerHTML = `<math display="block" aria-label="${spoken}">${calm}</math>`;  // ours, from chapters.js
+  return [
+    h('p', { className: 'quiet' }, `${k + 1} of ${chapters.length}`),
+    h('h3', null, title),
+    h('p', null, text.replace(/\s+/g, ' ')),
+    h('figure', null, math, h('figcaption', null, source)),
+    h('div', { className: 'buttons' }, actions.button('learn.previous'), actions.button('learn.next', { labelled: true, className: 'primary' }),
+      actions.button('learn.watch', { labelled: true })),
+  ];
+}
