@@ -22,6 +22,10 @@ export interface App {
   keeping: Keeping;
   /** Shows a sentence above the stage, and says it. */
   notify: (text: string) => void;
+  /** Opens what a person chose, dropped or pasted. Set by the sketch part. */
+  openFiles: (files: File[]) => Promise<void>;
+  /** Asked first, in order, whether files are theirs; the sketch part takes what is left. */
+  openers: ((files: File[]) => Promise<boolean> | boolean)[];
   /** The scene as it is drawn now. */
   scene: () => Scene;
 }

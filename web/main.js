@@ -17,6 +17,7 @@ import { installFollowing, installFreshness, shownOf } from './run/follow.js';
 import { Preview } from './run/preview.js';
 import { Runner } from './run/runner.js';
 import { installTimeline } from './run/timeline.js';
+import { installSketch } from './sketch/install.js';
 import { presets } from './sketch/presets.js';
 import { Stage } from './stage/stage.js';
 import { Keeping, openFirst, openFragment } from './state/keeping.js';
@@ -44,7 +45,7 @@ const notify = createNotices(element('stage'));
 /** @type {App} */
 const app = {
   store, runner, actions, stage, tabs, themes, scene,
-  problemsOf: () => [],
+  problemsOf: () => [], openFiles: async () => {}, openers: [],
   announce: (text) => setText(element('announcer'), text),
   notify,
   keeping: new Keeping({ store, runner, notify }),
@@ -54,6 +55,7 @@ runner.still = matchMedia('(prefers-reduced-motion: reduce)').matches;
 runner.wantedLayers = () => store.project.layers;
 installHeader(app);
 installTimeline(app);
+installSketch(app);
 installMeshTab(app);
 installFiguresTab(app);
 installFiles(app);

@@ -11,6 +11,7 @@ import { Painter } from './painter.js';
  * @property {(at: Point, event: PointerEvent, pixel: number) => boolean | void} [down]  true: the drag is the tool's
  * @property {(at: Point, event: PointerEvent, pixel: number) => void} [move]
  * @property {(at: Point, event: PointerEvent, pixel: number) => void} [up]
+ * @property {(event: KeyboardEvent) => boolean} [key]  true: the key is the tool's
  * @property {() => void} [cancel]
  * @property {(context: CanvasRenderingContext2D, view: View) => void} [draw]  on the upper canvas
  * @property {string} [cursor]
@@ -26,6 +27,7 @@ export class Stage {
   #dragging = /** @type {'' | 'tool' | 'pan'} */ ('');
   #dirty = { mesh: true, overlay: true };
   #scheduled = false;
+  #fitted = true;  // all of the drawing is to be seen, whatever the size of the stage
   #unfinished = false;  // of a picture made in portions
   /** Drawn on the upper canvas whatever the tool. @type {((context: CanvasRenderingContext2D, view: View) => void)[]} */
   overlays = [];
@@ -45,6 +47,9 @@ export class Stage {
     this.overlay.addEventListener('pointermove', (event) => this.#move(event));
     for (const name of /** @type {const} */ (['pointerup', 'pointercancel']))
       this.overlay.addEventListener(name, (event) => this.#up(event));
+    this.overlay.addEventListener('keydown', (event) => {
+      if (!event.defaultPrevented && this.#tool.key?.(event)) event.preventDefault();
+    });
     this.overlay.addEventListener('wheel', (event) => this.#wheel(event), { passive: false });
     this.#resize();
   }
@@ -68,7 +73,7 @@ export class Stage {
       canvas.width = Math.round(width * devicePixelRatio);
       canvas.height = Math.round(height * devicePixelRatio);
     }
-    if (first) this.view = fit(this.scene().drawing, width, height);
+    if (first || this.#fitted) this.view = fit(this.scene().drawing, width, height);
     else this.view = { ...pan(this.view, (width - this.view.width) / 2, (height - this.view.height) / 2), width, height };
     this.#dirty = { mesh: true, overlay: true };
     this.#paint();  // at once: a canvas that changed its size is empty
@@ -77,11 +82,13 @@ export class Stage {
   /** Shows all of the drawing. */
   fit() {
     this.look(fit(this.scene().drawing, this.view.width, this.view.height));
+    this.#fitted = true;
   }
 
   /** @param {View} view */
   look(view) {
     this.view = view;
+    this.#fitted = false;
     this.invalidate();
   }
 

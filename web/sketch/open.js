@@ -1,0 +1,140 @@
+// Opens files: by the button, dropped anywhere, or pasted. Reading happens in a worker of its own, so
+// nothing that a file contains can hold up the page.
+/** @import { App } from '../app' */
+/** @import { Drawing, Project } from '../types' */
+/** @import { ReadDomain } from 'lpquad' */
+/** @import { Notice } from './error_bar.js' */
+import { h } from '../panels/dom.js';
+import { createEngine } from '../run/engine.js';
+import { emptyDrawing, emptyProject } from '../state/project.js';
+import { titleOf } from './errors/words.js';
+import { diagonalOf } from './model/drawing.js';
+import { edgeLengths, median } from './model/geometry.js';
+
+/**
+ * Takes files that are its own and tells whether it did.
+ * @typedef {(files: File[]) => Promise<boolean> | boolean} Opener
+ */
+
+const mostBytes = 64 * 2 ** 20, mostPoints = 200000, patience = 20000;
+const endings = ['.json', '.geojson', '.svg', '.poly', '.msh', '.dxf'];
+
+/** A mesh size for a domain that brings none: the spacing of its points within reason. @param {Drawing} drawing */
+export function sensibleSize(drawing) {
+  const diagonal = diagonalOf(drawing);
+  const spacing = median(drawing.regions.flatMap(({ loops }) => loops.flatMap((loop) => edgeLengths(loop))));
+  return Number(Math.min(diagonal / 40, Math.max(diagonal / 80, spacing)).toPrecision(2));
+}
+
+/** @param {ReadDomain} read  @returns {{drawing: Drawing, size: number}} */
+export function fromRead({ regions, polylines, points, h: given }) {
+  const drawing = { regions, polylines, points };
+  return { drawing, size: given !== undefined && given > 0 ? given : sensibleSize(drawing) };
+}
+
+/** @param {Drawing} drawing */
+const pointCount = ({ regions, polylines }) =>
+  regions.reduce((sum, { loops }) => sum + loops.reduce((n, loop) => n + loop.length, 0), 0)
+  + polylines.reduce((sum, { points }) => sum + points.length, 0);
+
+/** @param {Promise<ReadDomain>} reading  @returns {Promise<ReadDomain>} */
+function within(reading) {
+  const late = new Promise((_, reject) => setTimeout(() => reject(Object.assign(
+    new Error('Reading it takes too long.'), { code: 'TOO_LARGE', where: {} })), patience));
+  return /** @type {Promise<ReadDomain>} */ (Promise.race([reading, late]));
+}
+
+/** @param {string | Uint8Array} source  @param {string} name */
+async function read(source, name) {
+  const engine = await createEngine();
+  try {
+    return await within(engine.readDomain(source, name ? { name } : {}));
+  } finally {
+    engine.terminate();
+  }
+}
+
+/** @param {App} app  @param {(notice: Notice) => void} show */
+export function installOpening(app, show) {
+  const { store, stage, actions, announce } = app;
+
+  /** @param {ReadDomain} domain  @param {string} name */
+  function take(domain, name) {
+    const { drawing, size } = fromRead(domain);
+    const { layers, comparison } = store.project;
+    /** @type {Project} */
+    const project = { ...emptyProject, drawing, options: { size }, layers, comparison };
+    store.change(`Open ${name}`, project);
+    stage.fit();
+    announce(`${name} opened: ${pointCount(drawing)} points`);
+    if (domain.warnings.length > 0)
+      show({ title: `${name} was opened, with changes.`, details: domain.warnings.map(({ message }) => message).join(' ') });
+  }
+
+  /** @param {unknown} thrown  @param {string} name */
+  function fail(thrown, name) {
+    const { code = 'IO_ERROR', message, where = {} } = /** @type {any} */ (thrown);
+    const line = where.line === undefined ? '' : ` (line ${where.line})`;
+    show({ title: titleOf(code), details: `${name}: ${message}${line}`, problem: { code, message, where: {} } });
+  }
+
+  /** @param {() => Promise<string | Uint8Array>} source  @param {string} name */
+  async function openSource(source, name) {
+    try {
+      announce(`Opening ${name}`);
+      const domain = await read(await source(), name.includes('.') ? name : '');
+      if (pointCount(domain) > mostPoints) throw Object.assign(
+        new Error(`It has ${pointCount(domain)} points; ${mostPoints} can be edited here. The command line meshes it.`), { code: 'TOO_LARGE' });
+      take(domain, name);
+    } catch (thrown) {
+      fail(thrown, name);
+    }
+  }
+
+  /** @param {File[]} files */
+  async function openFiles(files) {
+    for (const opener of app.openers) if (await opener(files)) return;
+    const file = files.find(({ name }) => endings.some((ending) => name.toLowerCase().endsWith(ending))) ?? files[0];
+    if (file === undefined) return;
+    if (file.size > mostBytes) return fail({ code: 'TOO_LARGE', message: `It has ${Math.round(file.size / 2 ** 20)} MiB; the page takes 64.` }, file.name);
+    await openSource(async () => new Uint8Array(await file.arrayBuffer()), file.name);
+  }
+
+  app.openFiles = openFiles;
+  const input = h('input', { type: 'file', multiple: true, hidden: true, 'aria-label': 'Files to open', onchange: () => {
+    void openFiles([...input.files ?? []]);
+    input.value = '';
+  } });
+  document.body.append(input);
+  actions.add(
+    { id: 'file.open', label: 'Open a file', icon: 'open', keys: ['Ctrl+O'], run: () => input.click() },
+    { id: 'sketch.empty', label: 'Begin empty', icon: 'file', run: () => {
+      store.change('Begin empty', { ...emptyProject, drawing: emptyDrawing, layers: store.project.layers });
+      stage.fit();
+      actions.run('tool.polygon');
+    } },
+  );
+  listenForDrops(stage.element, openFiles);
+  window.addEventListener('paste', (event) => {
+    if (event.target instanceof HTMLInputElement || event.target instanceof HTMLTextAreaElement) return;
+    const files = [...event.clipboardData?.files ?? []], text = event.clipboardData?.getData('text/plain') ?? '';
+    if (files.length > 0) void openFiles(files);
+    else if (text.trim() !== '') void openSource(async () => text, 'What was pasted');
+  });
+}
+
+/** @param {HTMLElement} mark  shows that files may be dropped  @param {(files: File[]) => Promise<void>} openFiles */
+function listenForDrops(mark, openFiles) {
+  const hasFiles = (/** @type {DragEvent} */ event) => event.dataTransfer?.types.includes('Files') ?? false;
+  window.addEventListener('dragover', (event) => {
+    if (!hasFiles(event)) return;
+    event.preventDefault();
+    mark.classList.add('dropping');
+  });
+  for (const name of /** @type {const} */ (['dragleave', 'dragend', 'drop'])) window.addEventListener(name, () => mark.classList.remove('dropping'));
+  window.addEventListener('drop', (event) => {
+    if (!hasFiles(event)) return;
+    event.preventDefault();
+    void openFiles([...event.dataTransfer?.files ?? []]);
+  });
+}

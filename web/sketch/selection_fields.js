@@ -1,0 +1,128 @@
+// The chosen vertex and its outline in numbers.
+/** @import { App } from '../app' */
+/** @import { Point } from '../types' */
+/** @import { Sketch } from './sketch.js' */
+import { h, setText } from '../panels/dom.js';
+import { numberField } from './fields.js';
+import * as model from './model/drawing.js';
+import { boxOf } from './model/geometry.js';
+import { circle, circleOf, rectangle, rectangleOf } from './model/shapes.js';
+import { nameOf } from './sketch.js';
+import { insertAfter, removeSelected } from './tools/edit.js';
+
+/** @param {App} app  @param {Sketch} sketch */
+export function selectionSection({ actions }, sketch) {
+  const path = () => sketch.selected ? model.pathOf(sketch.drawing, sketch.selected) : [];
+  const chosen = () => sketch.selected !== null;
+  actions.add(
+    { id: 'vertex.previous', label: 'Previous vertex', icon: 'previous', run: () => sketch.selectNext(-1) },
+    { id: 'vertex.next', label: 'Next vertex', icon: 'next', run: () => sketch.selectNext(1) },
+    { id: 'vertex.add', label: 'Add a vertex after it', icon: 'plus', enabled: chosen, run: () => insertAfter(sketch) },
+    { id: 'vertex.remove', label: 'Remove this vertex', icon: 'minus', enabled: chosen, run: () => removeSelected(sketch) },
+    { id: 'outline.remove', label: 'Remove this outline', icon: 'remove', enabled: chosen,
+      run: () => sketch.selected && sketch.change('Remove an outline', model.removePath(sketch.drawing, sketch.selected)) },
+  );
+  const name = h('p', { className: 'hint' });
+  const coordinates = vertexFields(sketch), shape = shapeFields(sketch, path), tag = tagField(sketch);
+  const details = h('div', null,
+    h('div', { className: 'fields' }, ...coordinates.map(({ element }) => element), tag.element),
+    ...shape.groups.map(({ element }) => element));
+  const element = h('section', { className: 'selection-section', 'aria-label': 'Chosen vertex' },
+    h('div', { className: 'buttons', role: 'group', 'aria-label': 'Vertices' },
+      ...['vertex.previous', 'vertex.next', 'vertex.add', 'vertex.remove', 'outline.remove', 'sketch.whole'].map((id) => actions.button(id))),
+    name, details);
+
+  let wasChosen = false;
+  const refresh = () => {
+    const { selected } = sketch;
+    if (chosen() !== wasChosen) actions.refresh();
+    wasChosen = chosen();
+    details.hidden = selected === null;
+    setText(name, selected ? `Vertex ${selected.vertex + 1} of ${path().length}, ${nameOf(selected)}` : 'No vertex chosen.');
+    for (const field of coordinates) field.refresh();
+    tag.refresh();
+    shape.refresh();
+  };
+  return { element, refresh };
+}
+
+/** @param {Sketch} sketch */
+function vertexFields(sketch) {
+  return ['x', 'y'].map((label, axis) => numberField({ label,
+    get: () => (sketch.selected && model.vertexAt(sketch.drawing, sketch.selected)?.[axis]) ?? null,
+    set: (value) => {
+      const { selected, drawing } = sketch;
+      const at = selected && model.vertexAt(drawing, selected);
+      if (selected && at) sketch.change('Move a vertex', model.moveVertex(drawing, selected, axis === 0 ? [value, at[1]] : [at[0], value]));
+    } }));
+}
+
+/** Name of the edge after the vertex: boundaries have names in the files. @param {Sketch} sketch */
+function tagField(sketch) {
+  const get = () => (sketch.selected && model.tagOf(sketch.drawing, sketch.selected)) ?? '';
+  const input = h('input', { type: 'text', autocomplete: 'off', title: 'Name of the edge after this vertex, for the files', onchange: () => {
+    if (sketch.selected) sketch.change('Name an edge', model.withTag(sketch.drawing, sketch.selected, input.value.trim()));
+  } });
+  return {
+    element: h('label', { className: 'field wide' }, h('span', null, 'Edge name'), input),
+    refresh: () => {
+      if (document.activeElement !== input && input.value !== get()) input.value = get();
+      input.disabled = sketch.selected?.region === model.pointRegion;
+    },
+  };
+}
+
+/** A circle, a rectangle, or the middle of anything else. @param {Sketch} sketch  @param {() => Point[]} path */
+function shapeFields(sketch, path) {
+  const replace = (/** @type {Point[]} */ points, label = 'Change an outline') => {
+    const { selected, drawing } = sketch;
+    if (selected) sketch.change(label, points.length === path().length ? model.movePath(drawing, selected, points) : model.replacePath(drawing, selected, points));
+  };
+  /** What the outline is; worked out again only when it changed. */
+  let known = { path: /** @type {Point[]} */ ([]), round: circleOf([]), box: rectangleOf([]) };
+  const now = () => {
+    if (known.path !== path()) known = { path: path(), round: circleOf(path()), box: rectangleOf(path()) };
+    return known;
+  };
+  /** @param {string} label  @param {'x' | 'y' | 'radius' | 'count'} key  @param {{min?: number, whole?: boolean}} [how] */
+  const roundField = (label, key, how) => numberField({ label, ...how, get: () => now().round?.[key] ?? null, set: (value) => {
+    const { round } = now();
+    if (!round) return;
+    const changed = { ...round };
+    changed[key] = value;
+    replace(circle(changed.x, changed.y, changed.radius, changed.count, changed.start), 'Change a circle');
+  } });
+  /** @param {string} label  @param {'left' | 'bottom' | 'width' | 'height'} key  @param {{min?: number}} [how] */
+  const boxField = (label, key, how) => numberField({ label, ...how, get: () => now().box?.[key] ?? null, set: (value) => {
+    const { box } = now();
+    if (!box) return;
+    const { left, bottom, width, height } = Object.assign({ ...box }, { [key]: value });
+    replace(path().map(([x, y]) => [x === box.left ? left : left + width, y === box.bottom ? bottom : bottom + height]), 'Change a rectangle');
+  } });
+  const middle = (/** @type {number} */ axis) => {
+    const box = boxOf(path());
+    return path().length > 0 ? (box[axis] + box[axis + 2]) / 2 : null;
+  };
+  const middleField = (/** @type {string} */ label, /** @type {number} */ axis) => numberField({ label, get: () => middle(axis), set: (value) => {
+    const by = value - (middle(axis) ?? value);
+    if (sketch.selected) sketch.change('Move an outline', model.shiftPath(sketch.drawing, sketch.selected, axis === 0 ? by : 0, axis === 1 ? by : 0));
+  } });
+  const groups = [
+    group('Circle', [roundField('Centre x', 'x'), roundField('Centre y', 'y'), roundField('Radius', 'radius', { min: 1e-300 }), roundField('Points', 'count', { min: 3, whole: true })]),
+    group('Rectangle', [boxField('Left', 'left'), boxField('Bottom', 'bottom'), boxField('Width', 'width', { min: 1e-300 }), boxField('Height', 'height', { min: 1e-300 })]),
+    group('Outline', [middleField('Middle x', 0), middleField('Middle y', 1)]),
+  ];
+  return { groups, refresh: () => {
+    const { round, box } = now();
+    const shown = round ? 0 : box ? 1 : 2;
+    groups.forEach(({ element, fields }, i) => {
+      element.hidden = i !== shown;
+      if (i === shown) for (const field of fields) field.refresh();
+    });
+  } };
+}
+
+/** @param {string} title  @param {import('./fields.js').Field[]} fields */
+const group = (title, fields) => ({
+  fields, element: h('div', { className: 'fields', role: 'group', 'aria-label': title }, h('span', { className: 'group-title' }, title), ...fields.map(({ element }) => element)),
+});
