@@ -17,6 +17,8 @@ export interface App {
   themes: Themes;
   /** Says a sentence to screen readers. */
   announce: (text: string) => void;
+  /** The runs that the timeline leads: the run, or those that are compared. */
+  led: () => Runner[];
   /** What is wrong with a drawing; the mesher is not called with it. Set by the sketch part. */
   problemsOf: (drawing: Drawing) => NonNullable<Run['error']>[];
   keeping: Keeping;

@@ -1,6 +1,7 @@
 // Puts the parts together; what they do is theirs.
 /** @import { App } from './app' */
 /** @import { Scene } from './types' */
+import { installCompare } from './compare/compare.js';
 import { dark, light } from './draw/palette.js';
 import { installFiguresTab } from './figures/figures_tab.js';
 import { installFiles } from './files/files.js';
@@ -45,6 +46,7 @@ const notify = createNotices(element('stage'));
 /** @type {App} */
 const app = {
   store, runner, actions, stage, tabs, themes, scene,
+  led: () => [runner],
   problemsOf: () => [], openFiles: async () => {}, openers: [],
   announce: (text) => setText(element('announcer'), text),
   notify,
@@ -54,10 +56,11 @@ const app = {
 runner.still = matchMedia('(prefers-reduced-motion: reduce)').matches;
 runner.wantedLayers = () => store.project.layers;
 installHeader(app);
-installTimeline(app);
+const refreshTimeline = installTimeline(app);
 installSketch(app);
 installMeshTab(app);
 installFiguresTab(app);
+installCompare(app, createEngine, refreshTimeline);
 installFiles(app);
 const openChapter = installLearn(app);
 

@@ -154,6 +154,14 @@ export class Runner {
     this.#become({ phase: 'cancelled' });
   }
 
+  /** Forgets everything and ends the worker, for now. */
+  close() {
+    this.#abandon();
+    void this.#engine?.then((engine) => engine.terminate(), () => {});
+    this.#open = () => Promise.reject(new Error('Nothing to run.'));
+    this.#become({ ...nothing });
+  }
+
   /** Makes the wish true, unless that is under way. @returns {Promise<void>} */
   #drive() {
     const driving = this.#driving ?? this.#loop(this.#generation);

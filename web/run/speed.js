@@ -15,12 +15,13 @@ function remembered() {
 }
 
 /** @param {App} app  @returns {HTMLElement} */
-export function createSpeed({ actions, runner, announce }) {
+export function createSpeed(app) {
+  const { actions, runner, announce } = app;
   const select = h('select', { className: 'speed', 'aria-label': 'Speed', title: 'How fast the run plays', onchange: () => set(Number(select.value)) },
     ...speeds.map((speed) => h('option', { value: String(speed) }, `${speed}×`)));
 
   function set(/** @type {number} */ speed) {
-    runner.speed = speed;
+    for (const led of [runner, ...app.led()]) led.speed = speed;
     select.value = String(speed);
     try {
       sessionStorage.setItem(key, String(speed));

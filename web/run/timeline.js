@@ -1,49 +1,56 @@
-// The bar below the stage: play, pause, step, end, reset, and the slider over the iterations.
+// The bar below the stage: play, pause, step, end, reset, and the slider over the iterations. It
+// leads the run, or both runs of a comparison.
 /** @import { App } from '../app' */
 /** @import { Run } from '../types' */
 import { h, setText } from '../panels/dom.js';
 import { createSpeed } from './speed.js';
 import { describe, expectedTicks } from './words.js';
 
+/** The run that the bar shows: the longest. @param {App} app */
+function leadOf(app) {
+  return app.led().reduce((lead, runner) => (expectedTicks(runner.run) > expectedTicks(lead.run) ? runner : lead));
+}
+
 /** @param {App} app */
 function addActions(app) {
-  const { actions, runner, store } = app;
-  const can = () => runner.run.project !== null && runner.run.phase !== 'failed';
-  const atEnd = () => runner.run.phase === 'done';
-  const atStart = () => (runner.run.state?.tick ?? 0) === 0;
+  const { actions } = app;
+  const lead = () => leadOf(app);
+  const each = (/** @type {(runner: App['runner']) => unknown} */ act) => app.led().forEach((runner) => void act(runner));
+  const can = () => lead().run.project !== null && lead().run.phase !== 'failed';
+  const going = () => app.led().some((runner) => runner.going);
+  const atEnd = () => app.led().every(({ run }) => run.phase === 'done');
+  const tick = () => lead().run.state?.tick ?? 0;
   actions.add(
-    { id: 'run.play', label: 'Play or pause', icon: () => (runner.going ? 'pause' : 'play'), keys: ['Space'], enabled: can,
-      pressed: () => runner.going, run: () => void (runner.going ? runner.pause() : runner.play()) },
-    { id: 'run.back', label: 'One step back', icon: 'back', keys: [','], enabled: () => can() && !atStart(), run: () => void runner.back() },
-    { id: 'run.step', label: 'One step', icon: 'step', keys: ['.'], enabled: () => can() && !atEnd(), run: () => void runner.step() },
-    { id: 'run.end', label: 'To the end', icon: 'end', keys: ['E'], enabled: () => can() && !atEnd(), run: () => void runner.end() },
-    { id: 'run.reset', label: 'Back to the start', icon: 'reset', keys: ['Shift+E'], enabled: can, run: () => void runner.reset() },
-    { id: 'run.cancel', label: 'Cancel', icon: 'cancel', keys: ['Escape'], enabled: () => runner.busy, run: () => runner.cancel() },
-    { id: 'run.again', label: 'Run again', icon: 'again', keys: ['R'], enabled: () => app.problemsOf(store.project.drawing).length === 0,
-      run: () => void runner.load(store.project) },
+    { id: 'run.play', label: 'Play or pause', icon: () => (going() ? 'pause' : 'play'), keys: ['Space'], enabled: can, pressed: going,
+      run: () => each(going() ? (runner) => runner.pause() : atEnd() ? (runner) => runner.play() : (runner) => runner.run.phase !== 'done' && runner.play()) },
+    { id: 'run.back', label: 'One step back', icon: 'back', keys: [','], enabled: () => can() && tick() > 0, run: () => each((runner) => runner.back()) },
+    { id: 'run.step', label: 'One step', icon: 'step', keys: ['.'], enabled: () => can() && !atEnd(), run: () => each((runner) => runner.step()) },
+    { id: 'run.end', label: 'To the end', icon: 'end', keys: ['E'], enabled: () => can() && !atEnd(), run: () => each((runner) => runner.end()) },
+    { id: 'run.reset', label: 'Back to the start', icon: 'reset', keys: ['Shift+E'], enabled: can, run: () => each((runner) => runner.reset()) },
+    { id: 'run.cancel', label: 'Cancel', icon: 'cancel', keys: ['Escape'], enabled: () => app.led().some(({ busy }) => busy), run: () => each((runner) => runner.cancel()) },
+    { id: 'run.again', label: 'Run again', icon: 'again', keys: ['R'], enabled: () => app.problemsOf(app.store.project.drawing).length === 0,
+      run: () => each((runner) => runner.run.project && runner.load(runner === app.runner ? app.store.project : runner.run.project)) },
   );
 }
 
 /** The slider follows the run, except under a hand. @param {App} app */
-function createSlider({ runner }) {
+function createSlider(app) {
   let held = false;
   const slider = h('input', { type: 'range', min: '0', max: '0', value: '0', id: 'tick', 'aria-label': 'Iteration',
-    oninput: () => void runner.seek(Number(slider.value)),
+    oninput: () => app.led().forEach((runner) => void runner.seek(Number(slider.value))),
     onpointerdown: () => { held = true; },
     onpointerup: () => { held = false; }, onpointercancel: () => { held = false; }, onblur: () => { held = false; } });
   const follow = (/** @type {Run} */ run, /** @type {string} */ text) => {
-    const end = expectedTicks(run);
     if (!held) {
-      slider.max = String(end);
+      slider.max = String(expectedTicks(run));
       slider.value = String(run.state?.tick ?? 0);
     }
-    slider.style.setProperty('--part', String(end > 0 ? (run.state?.tick ?? 0) / end : 0));
     slider.setAttribute('aria-valuetext', text);
   };
   return { slider, follow };
 }
 
-/** @param {App} app */
+/** @param {App} app  @returns {() => void} shows how things are now */
 export function installTimeline(app) {
   const { actions, runner, announce } = app;
   addActions(app);
@@ -58,7 +65,8 @@ export function installTimeline(app) {
     slider, stage, createSpeed(app));
 
   let spoken = '';
-  runner.subscribe((run) => {
+  const refresh = () => {
+    const { run } = leadOf(app);
     const text = describe(run);
     follow(run, text);
     setText(stage, text);
@@ -66,5 +74,7 @@ export function installTimeline(app) {
     const heard = `${run.phase} ${run.state?.stage ?? ''} ${run.error?.message ?? ''}`;  // not every iteration
     if (heard !== spoken) announce(text);
     spoken = heard;
-  });
+  };
+  runner.subscribe(refresh);
+  return refresh;
 }

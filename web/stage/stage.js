@@ -31,6 +31,8 @@ export class Stage {
   #unfinished = false;  // of a picture made in portions
   /** Drawn on the upper canvas whatever the tool. @type {((context: CanvasRenderingContext2D, view: View) => void)[]} */
   overlays = [];
+  /** Told of every new view. @type {(view: View) => void} */
+  looked = () => {};
 
   /**
    * @param {HTMLElement} element  holds the canvases
@@ -39,8 +41,8 @@ export class Stage {
   constructor(element, scene) {
     this.element = element;
     this.scene = scene;
-    this.mesh = /** @type {HTMLCanvasElement} */ (element.querySelector('#mesh-canvas'));
-    this.overlay = /** @type {HTMLCanvasElement} */ (element.querySelector('#overlay-canvas'));
+    this.mesh = /** @type {HTMLCanvasElement} */ (element.querySelector('canvas'));
+    this.overlay = /** @type {HTMLCanvasElement} */ (element.querySelector('canvas + canvas'));
     this.painter = new Painter(this.mesh);
     new ResizeObserver(() => this.#resize()).observe(element);
     this.overlay.addEventListener('pointerdown', (event) => this.#down(event));
@@ -89,6 +91,7 @@ export class Stage {
   look(view) {
     this.view = view;
     this.#fitted = false;
+    this.looked(view);
     this.invalidate();
   }
 

@@ -1,0 +1,70 @@
+// One half of a comparison: a run of its own, with its own worker and picture.
+/** @import { LpquadWorker } from 'lpquad/worker' */
+/** @import { App } from '../app' */
+/** @import { Project } from '../types' */
+/** @import { Side } from './comparisons.js' */
+import { dark, light } from '../draw/palette.js';
+import { figuresOf } from '../figures/statistics.js';
+import { h, setText } from '../panels/dom.js';
+import { shownOf } from '../run/follow.js';
+import { Runner } from '../run/runner.js';
+import { describe } from '../run/words.js';
+import { Stage } from '../stage/stage.js';
+import { projectOf } from './comparisons.js';
+
+/** @param {App} app  @param {string} letter  @param {() => Promise<LpquadWorker>} createEngine */
+export function createSide(app, letter, createEngine) {
+  /** @type {{project: Project, side: Side, made: Project} | null} */
+  let last = null;
+  const runner = new Runner(createEngine);
+  runner.still = app.runner.still;
+  runner.wantedLayers = () => app.store.project.layers;
+  const name = h('span', null), told = h('output', { className: 'quiet numbers' });
+  const canvas = h('canvas', { role: 'img' });
+  const area = h('div', { className: 'side-stage' }, h('canvas', { 'aria-hidden': 'true' }), canvas);
+  const element = h('div', { className: 'side', role: 'group', 'aria-label': `Mesh ${letter}` },
+    h('div', { className: 'side-head' }, h('strong', null, letter), name, told), area);
+  const project = () => last?.made ?? app.store.project;
+  const stage = new Stage(area, () => ({
+    ...app.scene(), ...shownOf(project(), runner.run, { project: null, frame: null }), palette: app.themes.dark ? dark : light,
+    drawing: app.store.project.drawing, norm: project().options.norm ?? 6,
+  }));
+
+  const refresh = () => {
+    const { freshness } = stage.scene();
+    const { etaMean, fourValentPercent } = figuresOf(runner.run);
+    const good = etaMean === undefined ? '' : `, η ${etaMean.toFixed(3)}, ${fourValentPercent?.toFixed(1)} % regular`;
+    const text = freshness === 'current' ? describe(runner.run) + good : 'out of date';
+    setText(told, text);
+    canvas.setAttribute('aria-label', `Mesh ${letter}, ${last?.side.name ?? ''}: ${text}`);
+    area.dataset.freshness = freshness;
+    stage.invalidate();
+  };
+  runner.subscribe(refresh);
+
+  return {
+    element, runner, stage, refresh,
+    figures: () => (stage.scene().freshness === 'current' ? figuresOf(runner.run) : { final: false }),
+    /** @param {Project} whole  @param {Side} side */
+    follow(whole, side) {
+      const made = projectOf(whole, side, last);
+      const same = last !== null && made.options === last.made.options && runner.run.project !== null;
+      last = { project: whole, side, made };
+      setText(name, side.name);
+      if (same) return void runner.refresh();
+      const [problem] = app.problemsOf(whole.drawing);
+      if (problem) runner.refuse(made, problem);
+      else void runner.load(made, { going: 'end' });
+    },
+    /** A gesture goes on: what is shown is of before. */
+    wait() {
+      if (last !== null) last = { ...last, made: { ...last.made, drawing: app.store.project.drawing, options: { ...last.made.options } } };
+      runner.pause();
+      refresh();
+    },
+    close() {
+      last = null;
+      runner.close();
+    },
+  };
+}
