@@ -13,6 +13,7 @@ import { Actions } from './panels/actions.js';
 import { setText } from './panels/dom.js';
 import { createNotices } from './panels/notice.js';
 import { Tabs } from './panels/tabs.js';
+import { installOffline } from './offline/offline.js';
 import { createEngine } from './run/engine.js';
 import { installFollowing, installFreshness, shownOf } from './run/follow.js';
 import { Preview } from './run/preview.js';
@@ -62,6 +63,7 @@ installMeshTab(app);
 installFiguresTab(app);
 installCompare(app, createEngine, refreshTimeline);
 installFiles(app);
+installOffline(app);
 const openChapter = installLearn(app);
 
 installFollowing(app, preview);

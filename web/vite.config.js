@@ -1,6 +1,7 @@
 // Builds the page into build/web: static files that work from any folder of any server.
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { offline } from './offline/plugin.js';
 
 const here = (/** @type {string} */ path) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -12,6 +13,7 @@ export default defineConfig({
     // The package as its users get it.
     alias: [{ find: /^lpquad\/worker$/, replacement: here('../dist/worker.js') }, { find: /^lpquad\/(.*)$/, replacement: here('../dist/$1') }],
   },
+  plugins: [offline()],
   worker: { format: 'es' },
   build: { outDir: here('../build/web'), emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0, modulePreload: false },
 });

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Everything that needs no data from outside: the release build's tests, the quick ones again with
-# sanitizers and internal assertions, and the npm package. Ends with "N passed, N failed".
+# sanitizers and internal assertions, the npm package, and the playground. Ends with "N passed, N failed".
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
@@ -61,10 +61,20 @@ test_package() {
   add_counts "tests/package" build/matrix.log
 }
 
+# The playground: its types, its build, and the page in real browsers, one file after the other.
+test_web() {
+  local log=build/web.log
+  { node_modules/.bin/tsc -p web/tsconfig.json && bash web/build.sh; } >"$log" 2>&1 || {
+    cat "$log"; failed=$((failed + 1)); return; }
+  node --test --test-concurrency=1 --test-reporter=tap tests/web/*.test.mjs >"$log" 2>&1
+  echo "$(sed -nE 's/^# pass //p' "$log") passed, $(sed -nE 's/^# fail //p' "$log") failed" >>"$log"
+  add_counts "tests/web" "$log"
+}
+
 bash "$here/build.sh" release -- -DLPQ_TESTS=ON -DLPQ_BENCH=ON || exit 1
 run_tests release
 bash "$here/build.sh" dev || exit 1
 run_tests dev -L 'quick|fuzz'
-[ $wasm = no ] || test_package
+[ $wasm = no ] || { test_package; test_web; }
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

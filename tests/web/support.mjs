@@ -4,7 +4,7 @@ import { chromium } from 'playwright-core';
 import { browsers } from '../package/browsers.mjs';
 import { serve } from '../package/server.mjs';
 
-const folder = process.env.LPQ_WEB ?? fileURLToPath(new URL('../../build/web', import.meta.url));
+export const folder = process.env.LPQ_WEB ?? fileURLToPath(new URL('../../build/web', import.meta.url));
 const quiet = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage'];
 
@@ -15,10 +15,11 @@ export async function startPlayground() {
   return {
     address: `${server.origin}/web/`,
     browser,
-    /** @param {{hash?: string, width?: number, height?: number, dark?: boolean, still?: boolean, touch?: boolean}} [how] */
-    async open({ hash = '', width = 1280, height = 800, dark = false, still = true, touch = false } = {}) {
+    /** @param {{hash?: string, width?: number, height?: number, dark?: boolean, still?: boolean, touch?: boolean, offline?: boolean}} [how] */
+    async open({ hash = '', width = 1280, height = 800, dark = false, still = true, touch = false, offline = false } = {}) {
       const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light',
-        reducedMotion: still ? 'reduce' : 'no-preference', hasTouch: touch, acceptDownloads: true });
+        reducedMotion: still ? 'reduce' : 'no-preference', hasTouch: touch, acceptDownloads: true,
+        serviceWorkers: offline ? 'allow' : 'block' });
       const page = await context.newPage();
       page.errors = [];
       page.on('pageerror', (error) => page.errors.push(error.message));

@@ -1,0 +1,102 @@
+// The page without a network, its updates, and the server that comes with it.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:net';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { createSite } from '../../web/serve.mjs';
+import { finished, folder, startPlayground } from './support.mjs';
+
+let playground;
+before(async () => { playground = await startPlayground(); });
+after(() => playground.close());
+
+/** Until the service worker has everything and answers for this page. */
+const kept = (page) => page.evaluate(() => navigator.serviceWorker.ready.then(() =>
+  navigator.serviceWorker.controller || new Promise((resolve) => navigator.serviceWorker.addEventListener('controllerchange', resolve))).then(() => true));
+
+test('after the first visit the page loads and meshes without a network', async () => {
+  const page = await playground.open({ offline: true });
+  await finished(page);
+  await kept(page);
+  await page.context().setOffline(true);
+  await page.goto('about:blank');
+  await page.goto(`${playground.address}#preset=square&options=size:0.25`);
+  await page.locator('.stage-name', { hasText: 'done: 16 quads' }).waitFor();
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('a new version is shown at the next visit, and kept', async () => {
+  const copy = mkdtempSync(join(tmpdir(), 'lpquad-site-'));
+  cpSync(folder, copy, { recursive: true });
+  const server = createSite(copy);
+  await new Promise((done) => server.listen(0, '127.0.0.1', done));
+  const address = `http://127.0.0.1:${server.address().port}/`;
+  const context = await playground.browser.newContext({ reducedMotion: 'reduce' });
+  const first = await context.newPage();
+  await first.goto(address);
+  await finished(first);
+  await kept(first);
+  for (const [file, from, to] of [['index.html', '<h1>lpquad', '<h1>newer'], ['service_worker.js', '{"version":"', '{"version":"newer-']])
+    writeFileSync(join(copy, file), readFileSync(join(copy, file), 'utf8').replace(from, to));
+  await first.reload();
+  assert.equal(await first.locator('h1').textContent(), 'newer');
+  await first.evaluate(() => navigator.serviceWorker.getRegistration().then((found) => found.update()));
+  await first.waitForFunction(() => navigator.serviceWorker.getRegistration().then((found) => found.waiting !== null));
+  await first.close();
+  const second = await context.newPage();
+  await second.goto(address);
+  await kept(second);
+  await second.waitForFunction(() => caches.keys().then((names) => names.length === 1 && names[0].startsWith('lpquad-newer')));
+  await context.setOffline(true);
+  await second.reload();
+  await finished(second);
+  assert.equal(await second.locator('h1').textContent(), 'newer');
+  await context.close();
+  server.close();
+  server.closeAllConnections();
+  rmSync(copy, { recursive: true, force: true });
+});
+
+const script = fileURLToPath(new URL('../../web/serve.mjs', import.meta.url));
+
+/** Its first address, and how it ended if it did. */
+const serveWith = (...args) => new Promise((resolve) => {
+  const child = spawn(process.execPath, [script, ...args, folder], { stdio: ['ignore', 'pipe', 'pipe'] });
+  let said = '';
+  for (const stream of [child.stdout, child.stderr]) stream.on('data', (data) => {
+    said += data;
+    const address = said.match(/http:\/\/localhost:\d+\//)?.[0];
+    if (address && !args.includes('--once')) resolve({ address, end: () => child.kill() });
+  });
+  child.on('exit', (code) => resolve({ said, code }));
+});
+
+test('the server finds a free port, sends the right types, and stays in its folder', async () => {
+  const one = await serveWith(), two = await serveWith();
+  assert.notEqual(one.address, two.address);
+  const ask = (path) => fetch(new URL(path, one.address.replace('localhost', '127.0.0.1')));
+  const page = await ask('/');
+  const wasm = readFileSync(join(folder, 'service_worker.js'), 'utf8').match(/assets\/[\w-]+\.wasm/)[0];
+  for (const [path, type] of [['/', 'text/html'], ['/service_worker.js', 'text/javascript'], [wasm, 'application/wasm'],
+    ['/icon.svg', 'image/svg+xml'], ['/manifest.webmanifest', 'application/manifest+json']])
+    assert.ok((await ask(path)).headers.get('content-type').startsWith(type), path);
+  assert.ok((await page.text()).includes('lpquad playground'));
+  for (const path of ['/../package.json', '/%2e%2e/%2e%2e/package.json', '/nothing', '/%00', '/%ff', '/assets']) assert.equal((await ask(path)).status, 404, path);
+  one.end();
+  two.end();
+});
+
+test('the server says so when its port is taken, and can be tried and end', async () => {
+  const other = createServer();
+  await new Promise((done) => other.listen(0, '127.0.0.1', done));
+  const taken = await serveWith('--port', String(other.address().port), '--once');
+  assert.notEqual(taken.code, 0);
+  assert.match(taken.said, /in use/);
+  other.close();
+  assert.equal((await serveWith('--once')).code, 0);
+});

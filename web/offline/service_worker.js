@@ -1,0 +1,52 @@
+// The page without a network. The build puts `lpquad = {version, files}` before this text: all files
+// of the page, and a hash of their contents. A cache belongs to one version and never changes; a new
+// version is fetched beside the old one and takes over when no page of the old one is open.
+// Pages come from the network if there is one, so that a reload shows the newest; everything else has
+// the hash of its content in its name and comes from the cache.
+
+/** @typedef {{waitUntil: (done: Promise<unknown>) => void, respondWith: (answer: Promise<Response>) => void, request: Request}} WorkerEvent */
+const worker = /** @type {any} */ (self);
+const { version, files } = /** @type {{version: string, files: string[]}} */ (worker.lpquad);
+const cacheName = `lpquad-${version}`;
+const home = new URL('./', location.href).href;
+
+/** What an older version fetched already, if its name says that it is the same. @param {string} file */
+async function fromElsewhere(file) {
+  return /-[\w-]{8}\.\w+$/.test(file) ? caches.match(new URL(file, home).href) : undefined;
+}
+
+async function fetchAll() {
+  const cache = await caches.open(cacheName);
+  await Promise.all(files.map(async (file) => {
+    const url = new URL(file, home).href;
+    const response = await fromElsewhere(file) ?? await fetch(url, { cache: 'no-cache' });
+    if (!response.ok) throw new Error(`${url}: status ${response.status}`);
+    await cache.put(url, response);
+  }));
+}
+
+async function removeOld() {
+  const names = await caches.keys();
+  // Another page of the same server may have caches of its own, and a second playground as well.
+  const old = names.filter((other) => other.startsWith('lpquad-') && other !== cacheName);
+  for (const other of old) if (await (await caches.open(other)).match(home)) await caches.delete(other);
+  await worker.clients.claim();
+}
+
+/** @param {Request} request */
+async function answer(request) {
+  const cache = await caches.open(cacheName);
+  if (request.mode === 'navigate') {
+    const kept = () => cache.match(home).then((page) => page ?? Response.error());
+    return fetch(request).then((page) => (page.ok ? page : kept()), kept);
+  }
+  return await cache.match(request, { ignoreSearch: true, ignoreVary: true }) ?? fetch(request);
+}
+
+worker.addEventListener('install', (/** @type {WorkerEvent} */ event) => event.waitUntil(fetchAll()));
+worker.addEventListener('activate', (/** @type {WorkerEvent} */ event) => event.waitUntil(removeOld()));
+worker.addEventListener('fetch', (/** @type {WorkerEvent} */ event) => {
+  const { method, url, mode } = event.request;
+  const own = url.startsWith(home) && method === 'GET';
+  if (own && (mode !== 'navigate' || /^(index\.html)?([?#]|$)/.test(url.slice(home.length)))) event.respondWith(answer(event.request));
+});
