@@ -12,7 +12,11 @@ import { finished, folder, startPlayground } from './support.mjs';
 
 let playground;
 before(async () => { playground = await startPlayground(); });
-after(() => playground.close());
+const ends = [];  // of what a failing test leaves behind
+after(async () => {
+  for (const end of ends) end();
+  await playground.close();
+});
 
 /** Until the service worker has everything and answers for this page. */
 const kept = (page) => page.evaluate(() => navigator.serviceWorker.ready.then(() =>
@@ -35,6 +39,11 @@ test('a new version is shown at the next visit, and kept', async () => {
   cpSync(folder, copy, { recursive: true });
   const server = createSite(copy);
   await new Promise((done) => server.listen(0, '127.0.0.1', done));
+  ends.push(() => {
+    server.close();
+    server.closeAllConnections();
+    rmSync(copy, { recursive: true, force: true });
+  });
   const address = `http://127.0.0.1:${server.address().port}/`;
   const context = await playground.browser.newContext({ reducedMotion: 'reduce' });
   const first = await context.newPage();
@@ -57,9 +66,6 @@ test('a new version is shown at the next visit, and kept', async () => {
   await finished(second);
   assert.equal(await second.locator('h1').textContent(), 'newer');
   await context.close();
-  server.close();
-  server.closeAllConnections();
-  rmSync(copy, { recursive: true, force: true });
 });
 
 const script = fileURLToPath(new URL('../../web/serve.mjs', import.meta.url));
@@ -67,11 +73,12 @@ const script = fileURLToPath(new URL('../../web/serve.mjs', import.meta.url));
 /** Its first address, and how it ended if it did. */
 const serveWith = (...args) => new Promise((resolve) => {
   const child = spawn(process.execPath, [script, ...args, folder], { stdio: ['ignore', 'pipe', 'pipe'] });
+  ends.push(() => child.kill());
   let said = '';
   for (const stream of [child.stdout, child.stderr]) stream.on('data', (data) => {
     said += data;
     const address = said.match(/http:\/\/localhost:\d+\//)?.[0];
-    if (address && !args.includes('--once')) resolve({ address, end: () => child.kill() });
+    if (address && !args.includes('--once')) resolve({ address });
   });
   child.on('exit', (code) => resolve({ said, code }));
 });
@@ -87,8 +94,6 @@ test('the server finds a free port, sends the right types, and stays in its fold
     assert.ok((await ask(path)).headers.get('content-type').startsWith(type), path);
   assert.ok((await page.text()).includes('lpquad playground'));
   for (const path of ['/../package.json', '/%2e%2e/%2e%2e/package.json', '/nothing', '/%00', '/%ff', '/assets']) assert.equal((await ask(path)).status, 404, path);
-  one.end();
-  two.end();
 });
 
 test('the server says so when its port is taken, and can be tried and end', async () => {
