@@ -11,7 +11,7 @@ import { createSide } from './side.js';
 /** @param {App} app  @param {() => Promise<LpquadWorker>} createEngine  @param {() => void} refreshTimeline */
 export function installCompare(app, createEngine, refreshTimeline) {
   const { store, actions, announce } = app;
-  const section = h('section', { id: 'compare', hidden: true, 'aria-label': 'Comparison' });
+  const section = h('section', { id: 'compare', role: 'main', hidden: true, 'aria-label': 'Comparison' });
   app.stage.element.after(section);
   const choose = (/** @type {string} */ id) => {
     store.change(id === '' ? 'End the comparison' : `Compare ${comparisonOf(id)?.title}`, { comparison: id });

@@ -17,8 +17,8 @@ export function frame(info, give, /** @type {Node[]} */ ...controls) {
   const reset = h('button', { type: 'button', className: 'reset', title: `Back to ${inDefault(info)}`,
     'aria-label': `${name}: back to ${inDefault(info)}`, onclick: () => give(info.default) }, icon('again'));
   const help = h('p', { className: 'help', id: `help-${info.name}` }, info.help, rangeInWords(info) && ` (${rangeInWords(info)})`);
-  const element = h('div', { className: 'field', role: 'group', 'aria-labelledby': `name-${info.name}`, 'data-option': info.name },
-    h('div', { className: 'field-head' }, h('span', { id: `name-${info.name}`, className: 'field-name' }, name), reset),
+  const element = h('div', { className: 'option', role: 'group', 'aria-labelledby': `name-${info.name}`, 'data-option': info.name },
+    h('div', { className: 'option-head' }, h('span', { id: `name-${info.name}`, className: 'option-name' }, name), reset),
     ...controls, help);
   return { element, changed: (/** @type {boolean} */ changed) => { reset.hidden = !changed; } };
 }
@@ -39,7 +39,7 @@ export function createField(info, give) {
 export function createNumber(info, give) {
   const problem = h('p', { className: 'problem', id: `problem-${info.name}`, role: 'alert' });
   const input = h('input', { type: 'text', inputMode: 'decimal', autocomplete: 'off', id: `option-${info.name}`,
-    'aria-labelledby': `name-${info.name}`, 'aria-describedby': `problem-${info.name} help-${info.name}`, onchange: take,
+    'aria-label': nameOfOption(info.name), 'aria-describedby': `problem-${info.name} help-${info.name}`, onchange: take,
     onkeydown: (/** @type {KeyboardEvent} */ event) => { if (event.key === 'Escape') show(shown); } });
   let shown = info.default;
   function take() {
@@ -64,7 +64,7 @@ export function createNumber(info, give) {
 function booleanField(info, give) {
   const box = h('input', { type: 'checkbox', id: `option-${info.name}`, 'aria-describedby': `help-${info.name}`, onchange: () => give(box.checked) });
   const { element, changed } = frame(info, give);
-  const name = /** @type {HTMLElement} */ (element.querySelector('.field-name'));
+  const name = /** @type {HTMLElement} */ (element.querySelector('.option-name'));
   name.replaceWith(h('label', { className: 'check' }, box, name.cloneNode(true)));
   return { element, show: (value) => { box.checked = Boolean(value); changed(value !== info.default); } };
 }
@@ -90,7 +90,7 @@ export function createChoices(name, values, give, look = (value) => String(value
 export function createSlider(info, range, give) {
   let held = false;
   const over = () => { if (held) give(Number(slider.value), held = false); };
-  const slider = h('input', { type: 'range', min: '0', ...range, 'aria-labelledby': `name-${info.name}`, 'aria-describedby': `help-${info.name}`,
+  const slider = h('input', { type: 'range', min: '0', ...range, 'aria-label': nameOfOption(info.name), 'aria-describedby': `help-${info.name}`,
     oninput: () => give(Number(slider.value), held = true),
     // Not only onchange: there is none if the slider is let go where it began.
     onchange: over, onpointerup: over, onpointercancel: over, onblur: over });
