@@ -143,6 +143,7 @@ test('while a drag goes on a coarse preview follows, pale; at rest the mesh is r
   await page.locator('.freshness', { hasText: 'Preview' }).waitFor();
   const preview = await page.evaluate(() => ({ ...globalThis.playground.scene(), palette: 0, layers: 0, quads: globalThis.playground.scene().frame.quads.quads.length / 4 }));
   assert.equal(preview.freshness, 'preview');
+  assert.match(await stageName(page).textContent(), /^out of date/);
   assert.equal(preview.result, null);
   assert.ok(preview.quads > 150 && preview.quads < 900, `${preview.quads} quads`);
   await page.evaluate(() => { clearInterval(globalThis.moving); globalThis.drag(2.5); });
@@ -172,5 +173,47 @@ test('a drawing with faults is not given to the mesher', async () => {
   });
   await shows(page, 'no mesh: Two edges cross.');
   assert.equal(await page.locator('.freshness').textContent(), 'Out of date');
+  await page.context().close();
+});
+
+test('a vertex is dragged on the stage: a preview follows, then the mesh', async () => {
+  const page = await playground.open();
+  await finished(page);
+  const corner = await page.evaluate(() => {
+    const { view, overlay } = globalThis.playground.stage;
+    const { left, top } = overlay.getBoundingClientRect();
+    return [left + (2 - view.left) * view.scale, top + (view.top - 1) * view.scale];
+  });
+  await page.mouse.move(...corner);
+  await page.mouse.down();
+  for (let i = 1; i <= 20; ++i) await page.mouse.move(corner[0] - i, corner[1] + 2 * i);
+  await page.locator('.freshness').waitFor();
+  await page.mouse.up();
+  await finished(page);
+  await page.locator('.freshness').waitFor({ state: 'hidden' });
+  const same = await page.evaluate(() => {
+    const { runner, store } = globalThis.playground;
+    const { points } = runner.run.result;
+    const [x, y] = store.project.drawing.regions[0].loops[0][2];
+    for (let i = 0; i < points.length; i += 2) if (points[i] === x && points[i + 1] === y) return true;
+    return false;
+  });
+  assert.ok(same, 'the corner is where it was dragged to');
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('crossings are never given to the mesher, and going back heals', async () => {
+  const page = await playground.open();
+  await finished(page);
+  await page.evaluate(() => {
+    const { store } = globalThis.playground;
+    store.change('Cross', { drawing: { regions: [{ name: '', loops: [[[0, 0], [2, 1], [2, 0], [0, 1]]] }], polylines: [], points: [] } });
+  });
+  await shows(page, /^no mesh/);
+  assert.equal(await page.evaluate(() => globalThis.playground.scene().freshness), 'old');
+  await page.keyboard.press('Control+z');
+  await finished(page);
+  assert.equal(await page.evaluate(() => globalThis.playground.scene().freshness), 'current');
   await page.context().close();
 });

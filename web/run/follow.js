@@ -17,7 +17,7 @@ const rest = 250;  // milliseconds without a change
 export function shownOf(project, run, preview) {
   const current = run.frameOf !== null && haveSameMesh(run.frameOf, project);
   if (!current && preview.frame !== null)
-    return { frame: preview.frame, result: null, freshness: 'preview', layers: new Set(['boundary', 'quads', 'quality']) };
+    return { frame: preview.frame, result: null, freshness: 'preview', layers: new Set(['boundary', 'quads']) };
   const { frame } = run;
   const result = current && frame?.stage === 'done' ? run.result : null;
   const freshness = current || frame === null ? 'current' : 'old';

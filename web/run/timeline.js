@@ -3,6 +3,7 @@
 /** @import { App } from '../app' */
 /** @import { Run } from '../types' */
 import { h, setText } from '../panels/dom.js';
+import { haveSameMesh } from '../state/project.js';
 import { createSpeed } from './speed.js';
 import { describe, expectedTicks } from './words.js';
 
@@ -52,7 +53,7 @@ function createSlider(app) {
 
 /** @param {App} app  @returns {() => void} shows how things are now */
 export function installTimeline(app) {
-  const { actions, runner, announce } = app;
+  const { actions, runner, store, announce } = app;
   addActions(app);
   const { slider, follow } = createSlider(app);
   const stage = h('output', { className: 'stage-name', for: 'tick' });
@@ -67,14 +68,18 @@ export function installTimeline(app) {
   let spoken = '';
   const refresh = () => {
     const { run } = leadOf(app);
-    const text = describe(run);
+    const { project } = runner.run;
+    const resting = project === null || haveSameMesh(project, store.project);
+    const text = resting ? describe(run) : 'out of date: waiting for the drawing to rest';
     follow(run, text);
     setText(stage, text);
     stage.title = text;
+    if (!resting) return;
     const heard = `${run.phase} ${run.state?.stage ?? ''} ${run.error?.message ?? ''}`;  // not every iteration
     if (heard !== spoken) announce(text);
     spoken = heard;
   };
   runner.subscribe(refresh);
+  store.subscribe(refresh);
   return refresh;
 }
