@@ -18,7 +18,7 @@ export function installHeader(app) {
       run: () => travel(app, 'Undone', store.undoLabel, () => store.undo()) },
     { id: 'edit.redo', label: 'Redo', icon: 'redo', keys: ['Ctrl+Y', 'Ctrl+Shift+Z'], enabled: () => store.canRedo, hint: () => store.redoLabel,
       run: () => travel(app, 'Redone', store.redoLabel, () => store.redo()) },
-    { id: 'view.fit', label: 'Show all', icon: 'fit', keys: ['0'], run: () => stage.fit() },
+    { id: 'view.fit', label: 'Show all', icon: 'fit', keys: ['F'], run: () => stage.fit() },
     { id: 'page.theme', label: 'Light, dark or as the system', icon: () => themeIcons[themes.theme], hint: () => themes.theme,
       run: () => turnTheme(app, themes) },
     { id: 'page.help', label: 'Help', icon: 'help', keys: ['?', 'F1'], run: () => help.open() },

@@ -2,10 +2,10 @@
 /** @import { Layers, State } from 'lpquad' */
 /** @import { LayerName, Project } from '../types' */
 
-/** @type {Record<LayerName, (keyof Layers)[]>} */
+/** With what is told of an element under the pointer. @type {Record<LayerName, (keyof Layers)[]>} */
 const sources = {
-  boundary: [], triangles: ['triangles'], cells: ['cells'], density: ['cells', 'sizes'], crosses: ['crosses', 'sizes'],
-  sizes: ['sizes'], matching: ['matching'], quads: ['quads'], quality: ['quads'], valence: ['quads'],
+  boundary: [], triangles: ['triangles', 'matching'], cells: ['cells'], density: ['cells', 'sizes'], crosses: ['crosses', 'sizes'],
+  sizes: ['sizes'], matching: ['matching'], quads: ['quads', 'sizes'], quality: ['quads', 'sizes'], valence: ['quads', 'sizes'],
 };
 
 export const layerNames = /** @type {LayerName[]} */ (Object.keys(sources));

@@ -15,7 +15,13 @@ import { Painter } from './painter.js';
  * @property {() => void} [cancel]
  * @property {(context: CanvasRenderingContext2D, view: View) => void} [draw]  on the upper canvas
  * @property {string} [cursor]
+ * @property {boolean} [inspects]  false: hovering and clicking tell nothing of the mesh
  */
+
+const tapReach = 4;  // pixels that a finger may move in a tap
+
+/** @param {Point} a  @param {Point} b */
+const apart = ([ax, ay], [bx, by]) => Math.hypot(ax - bx, ay - by);
 
 export class Stage {
   /** @type {View} */
@@ -33,6 +39,10 @@ export class Stage {
   overlays = [];
   /** Told of every new view. @type {(view: View) => void} */
   looked = () => {};
+  /** A click or tap that no tool took. @type {(at: Point) => void} */
+  tapped = () => {};
+  /** Where the last press began that may still become a tap. @type {Point | null} */
+  #pressed = null;
 
   /**
    * @param {HTMLElement} element  holds the canvases
@@ -144,11 +154,13 @@ export class Stage {
     if (this.#pointers.size === 2) {  // a pinch, whatever the first finger began
       this.#tool.cancel?.();
       this.#dragging = 'pan';
+      this.#pressed = null;
       return;
     }
     const panning = event.button === 1 || event.altKey;
     const taken = !panning && event.button === 0 && this.#tool.down?.(toWorld(this.view, ...place), event, this.pixel);
     this.#dragging = taken ? 'tool' : 'pan';
+    this.#pressed = taken || panning || event.button !== 0 ? null : place;
   }
 
   /** @param {PointerEvent} event */
@@ -156,6 +168,8 @@ export class Stage {
     const place = this.#place(event);
     const before = this.#pointers.get(event.pointerId);
     if (this.#dragging === 'pan' && before) {
+      if (this.#pressed && apart(place, this.#pressed) < tapReach) return;
+      this.#pressed = null;
       const others = [...this.#pointers].filter(([id]) => id !== event.pointerId).map(([, point]) => point);
       this.#pointers.set(event.pointerId, place);
       this.look(others.length > 0 ? this.#pinch(before, place, others[0]) : pan(this.view, place[0] - before[0], place[1] - before[1]));
@@ -167,9 +181,8 @@ export class Stage {
 
   /** @param {Point} before  @param {Point} now  @param {Point} other  the finger that rests */
   #pinch(before, now, other) {
-    const apart = (/** @type {Point} */ p) => Math.max(1, Math.hypot(p[0] - other[0], p[1] - other[1]));
     const moved = pan(this.view, (now[0] - before[0]) / 2, (now[1] - before[1]) / 2);
-    return zoomAt(moved, apart(now) / apart(before), (now[0] + other[0]) / 2, (now[1] + other[1]) / 2);
+    return zoomAt(moved, Math.max(1, apart(now, other)) / Math.max(1, apart(before, other)), (now[0] + other[0]) / 2, (now[1] + other[1]) / 2);
   }
 
   /** @param {PointerEvent} event */
@@ -179,6 +192,8 @@ export class Stage {
       if (event.type === 'pointercancel') this.#tool.cancel?.();
       else this.#tool.up?.(toWorld(this.view, ...this.#place(event)), event, this.pixel);
     }
+    if (this.#pressed && event.type === 'pointerup') this.tapped(this.#pressed);
+    this.#pressed = null;
     if (this.#pointers.size === 0) this.#dragging = '';
   }
 

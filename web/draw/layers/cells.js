@@ -27,7 +27,7 @@ export const highestDensity = 4;
 export function* drawDensity(pen, { frame, palette, norm }, view) {
   const cells = frame?.cells;
   if (!cells) return;
-  const relative = once(cells, `relative ${norm}`, () => relativeDensity(cells, frame.sizes, norm));
+  const relative = relativeDensity(cells, frame.sizes, norm);
   const perOctave = (shadeCount - 1) / Math.log2(highestDensity);
   const shade = (/** @type {number} */ piece) =>
     Math.round(Math.max(0, Math.min(shadeCount - 1, perOctave * Math.log2(Math.max(1, relative[cells.sites[piece]])))));
@@ -39,7 +39,10 @@ export function* drawDensity(pen, { frame, palette, norm }, view) {
  * without unit, and comparable where sizes differ.
  * @param {Cells} cells  @param {Snapshot['sizes']} sizes  @param {number} p
  */
-export function relativeDensity({ points, density, offsets, sites }, sizes, p) {
+export const relativeDensity = (cells, sizes, p) => once(cells, `relative ${p}`, () => relativeTo(cells, sizes, p));
+
+/** @param {Cells} cells  @param {Snapshot['sizes']} sizes  @param {number} p */
+function relativeTo({ points, density, offsets, sites }, sizes, p) {
   const perfect = 2 / (2 ** p * (p + 1));
   const relative = new Float64Array(density.length);
   const at = sizes?.sizes.length ? sizesAt(sizes) : undefined, usual = at ? 0 : usualArea({ points, offsets });

@@ -1,0 +1,67 @@
+// The Layers tab: every layer with its key, its button and what its colours mean just now.
+/** @import { App } from '../app' */
+/** @import { LayerName } from '../types' */
+import { legendOf } from '../draw/legend.js';
+import { h } from '../panels/dom.js';
+import { legendElement } from './legend.js';
+import { inOrder, layerNames } from './names.js';
+
+/** @param {App} app */
+export function installLayers(app) {
+  const { actions, announce, scene, store, runner, tabs, themes } = app;
+  const shown = () => scene().layers;
+
+  /** @param {LayerName} name  @param {string} title */
+  function toggle(name, title) {
+    const on = new Set(shown());
+    if (!on.delete(name)) on.add(name);
+    store.change(`${on.has(name) ? 'Show' : 'Hide'} ${title.toLowerCase()}`, { layers: inOrder(on) });
+    announce(`${title} ${on.has(name) ? 'shown' : 'hidden'}`);
+  }
+  function follow() {
+    const auto = store.project.layers === 'auto';
+    store.change(auto ? 'Keep these layers' : 'Layers follow the run', { layers: auto ? inOrder(shown()) : 'auto' });
+    announce(auto ? 'Layers stay as they are' : 'Layers follow the run');
+  }
+
+  actions.add(
+    { id: 'layer.auto', label: 'Layers follow the run', keys: ['A'], icon: 'auto', pressed: () => store.project.layers === 'auto', run: follow },
+    ...layerNames.map(({ name, key, title }) => ({
+      id: `layer.${name}`, label: title, keys: [key], pressed: () => shown().has(name), run: () => toggle(name, title),
+    })));
+
+  const rows = layerNames.map(({ name, key, title, what }) => ({ name, legend: h('div', { className: 'legend' }), key, title, what }));
+  tabs.add('layers', 'Layers',
+    h('div', { className: 'layers-head' }, actions.button('layer.auto', { labelled: true, title: 'Show what tells most at each stage of the run' })),
+    h('ul', { className: 'layers' }, ...rows.map(({ name, legend, key, what }) =>
+      h('li', null,
+        h('div', { className: 'layer' }, actions.button(`layer.${name}`, { title: what }), h('kbd', { 'aria-hidden': 'true' }, key)), legend))));
+
+  const refresh = atNextPicture(() => {
+    const now = scene();
+    for (const { name, legend } of rows) {
+      const items = now.layers.has(name) ? legendOf(name, now) : [];
+      const text = JSON.stringify(items);
+      if (legend.dataset.of === text) continue;
+      legend.dataset.of = text;
+      legend.replaceChildren(...items.map(legendElement));
+    }
+  });
+  store.subscribe(refresh);
+  runner.subscribe(refresh);
+  themes.subscribe(refresh);
+  refresh();
+}
+
+/** However often it is called: once per picture. @param {() => void} work */
+function atNextPicture(work) {
+  let waiting = false;
+  return () => {
+    if (waiting) return;
+    waiting = true;
+    requestAnimationFrame(() => {
+      waiting = false;
+      work();
+    });
+  };
+}
