@@ -93,7 +93,10 @@ test('bands of the size field fill its triangles and lie between their levels', 
   const { points, triangles, sizes } = graded.scene.frame.sizes;
   const low = Math.min(...sizes), span = Math.log(Math.max(...sizes) / low);
   const heights = sizes.map((h) => 9 * Math.log(h / low) / span);
-  const { bands, lines } = contours(points, triangles, heights, 9);
+  const steps = contours(points, triangles, heights, 9);
+  let step = steps.next();
+  while (!step.done) step = steps.next();
+  const { bands, lines } = step.value;
   const area = (flat, from, to) => {
     let twice = 0;
     for (let i = from; i < to; ++i) {

@@ -28,6 +28,18 @@ export function* strokeEdges(pen, points, edges, { scale, left, top, width, heig
   stroke.end();
 }
 
+/** Points in pairs: x0, y0, x1, y1, … @param {Pen} pen  @param {ArrayLike<number>} ends  @param {View} view */
+export function strokeLines(pen, ends, view) {
+  return strokeEdges(pen, ends, counting(ends.length / 2), view);
+}
+
+/** 0, 1, 2, … @param {number} count */
+function counting(count) {
+  if (count > numbers.length) numbers = strides(2 * count, 1);
+  return numbers.subarray(0, count);
+}
+let numbers = strides(1000, 1);
+
 /** @param {Pen} pen */
 function inBulk(pen) {
   const rgba = packedOf(String(pen.strokeStyle)), width = pen.lineWidth;

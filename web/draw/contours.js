@@ -2,18 +2,25 @@
 
 /** @typedef {[x: number, y: number, height: number]} Corner */
 
+const trianglesPerRest = 3000;
+
 /**
- * Between k and k + 1 lies band k, 0 to bandCount - 1; lines separate the bands.
+ * Between k and k + 1 lies band k, 0 to bandCount - 1; lines separate the bands. Rests now and then.
  * @param {ArrayLike<number>} points  @param {Uint32Array} triangles  @param {ArrayLike<number>} heights  @param {number} bandCount
  */
-export function contours(points, triangles, heights, bandCount) {
+export function* contours(points, triangles, heights, bandCount) {
   const out = new Pieces();
+  const bandOf = (/** @type {number} */ height) => Math.max(0, Math.min(bandCount - 1, height));
   for (let t = 0; t < triangles.length; t += 3) {
-    const corner = (/** @type {number} */ k) => {
-      const v = triangles[t + k];
-      return /** @type {Corner} */ ([points[2 * v], points[2 * v + 1], heights[v]]);
-    };
-    cut([corner(0), corner(1), corner(2)], bandCount, out);
+    if (t % (3 * trianglesPerRest) === 0) yield;
+    const a = triangles[t], b = triangles[t + 1], c = triangles[t + 2], ha = heights[a], hb = heights[b], hc = heights[c];
+    const first = bandOf(Math.floor(Math.min(ha, hb, hc)));
+    const last = Math.max(first, bandOf(Math.ceil(Math.max(ha, hb, hc)) - 1));
+    if (first === last) out.addWhole(points, a, b, c, first);
+    else {
+      const corner = (/** @type {number} */ v) => /** @type {Corner} */ ([points[2 * v], points[2 * v + 1], heights[v]]);
+      cut([corner(a), corner(b), corner(c)], first, last, out);
+    }
   }
   return out.arrays();
 }
@@ -35,6 +42,13 @@ class Pieces {
     this.band.push(band);
   }
 
+  /** @param {ArrayLike<number>} points  @param {number} a  @param {number} b  @param {number} c  @param {number} band */
+  addWhole(points, a, b, c, band) {
+    this.points.push(points[2 * a], points[2 * a + 1], points[2 * b], points[2 * b + 1], points[2 * c], points[2 * c + 1]);
+    this.offsets.push(this.points.length / 2);
+    this.band.push(band);
+  }
+
   arrays() {
     return {
       bands: { points: Float64Array.from(this.points), offsets: Uint32Array.from(this.offsets), band: Uint8Array.from(this.band) },
@@ -43,12 +57,8 @@ class Pieces {
   }
 }
 
-/** @param {Corner[]} triangle  @param {number} bandCount  @param {Pieces} out */
-function cut(triangle, bandCount, out) {
-  const [a, b, c] = triangle;
-  const inside = (/** @type {number} */ k) => Math.max(0, Math.min(bandCount - 1, k));
-  const first = inside(Math.floor(Math.min(a[2], b[2], c[2])));
-  const last = Math.max(first, inside(Math.ceil(Math.max(a[2], b[2], c[2])) - 1));
+/** @param {Corner[]} triangle  @param {number} first  @param {number} last  bands it has a part in  @param {Pieces} out */
+function cut(triangle, first, last, out) {
   let rest = triangle;
   for (let k = first; k < last; ++k) {
     const level = k + 1, piece = clip(rest, level, -1);

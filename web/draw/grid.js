@@ -73,7 +73,10 @@ function boxesOf({ points, vertices, offsets }) {
       if (y < bottom) bottom = y;
       if (y > top) top = y;
     }
-    boxes.set([left, bottom, right, top], 4 * f);
+    boxes[4 * f] = left;
+    boxes[4 * f + 1] = bottom;
+    boxes[4 * f + 2] = right;
+    boxes[4 * f + 3] = top;
   }
   return boxes;
 }

@@ -58,17 +58,20 @@ export class Raster {
 
   /** @param {number} x0  @param {number} y0  @param {number} x1  @param {number} y1  @param {number} width  @param {number} rgba */
   strokeLine(x0, y0, x1, y1, width, rgba) {
-    if (Math.abs(x1 - x0) >= Math.abs(y1 - y0)) this.#march(x0, y0, x1, y1, width, rgba, this.width, this.height, 1, this.width);
-    else this.#march(y0, x0, y1, x1, width, rgba, this.height, this.width, this.width, 1);
+    const { width: across, height: down } = this;
+    if (Math.abs(x1 - x0) >= Math.abs(y1 - y0)) {
+      if (x0 <= x1) this.#march(x0, y0, x1, y1, width, rgba, across, down, 1, across);
+      else this.#march(x1, y1, x0, y0, width, rgba, across, down, 1, across);
+    } else if (y0 <= y1) this.#march(y0, x0, y1, x1, width, rgba, down, across, across, 1);
+    else this.#march(y1, x1, y0, x0, width, rgba, down, across, across, 1);
   }
 
   /**
-   * A line along its longer direction `a`: at every pixel centre, what it covers across.
+   * A line along its longer direction `a`, a0 <= a1: at every pixel centre, what it covers across.
    * @param {number} a0  @param {number} b0  @param {number} a1  @param {number} b1  @param {number} width  @param {number} rgba
    * @param {number} along  pixels  @param {number} across  @param {number} stepAlong  between them in memory  @param {number} stepAcross
    */
   #march(a0, b0, a1, b1, width, rgba, along, across, stepAlong, stepAcross) {
-    if (a0 > a1) [a0, b0, a1, b1] = [a1, b1, a0, b0];
     const slope = a1 > a0 ? (b1 - b0) / (a1 - a0) : 0;
     const half = 0.5 * width * Math.sqrt(1 + slope * slope);
     const end = Math.min(along, Math.ceil(a1 - 0.5));

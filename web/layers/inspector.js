@@ -194,14 +194,15 @@ export function installInspector(app) {
   const inspector = new Inspector(app);
   actions.add({ id: 'view.inspect', label: 'Inspect an element (arrow keys: its neighbours)', keys: ['I'], icon: 'eye',
     pressed: () => inspector.pinned, run: () => inspector.toggle() });
+  const looks = () => stage.tool.inspects ?? ['none', 'edit'].includes(stage.tool.id);
   const place = (/** @type {PointerEvent} */ event) => /** @type {Point} */ ([event.offsetX, event.offsetY]);
   stage.overlay.addEventListener('pointermove', (event) => {
-    if (event.pointerType === 'touch' || stage.tool.inspects === false) return;
-    if (event.buttons === 0) inspector.hover(place(event));
+    if (event.pointerType === 'touch') return;
+    if (event.buttons === 0 && looks()) inspector.hover(place(event));
     else inspector.leave();
   });
   stage.overlay.addEventListener('pointerleave', () => inspector.leave());
-  stage.tapped = (pixels) => { if (stage.tool.inspects !== false) inspector.pin(pixels); };
+  stage.tapped = (pixels) => { if (looks()) inspector.pin(pixels); };
   addEventListener('keydown', (event) => {
     const free = event.target === document.body || event.target === stage.overlay;
     if (!free || event.ctrlKey || event.metaKey || event.altKey || event.shiftKey || !inspector.walk(event.key)) return;

@@ -32,7 +32,9 @@ export function installLayers(app) {
 
   const rows = layerNames.map(({ name, key, title, what }) => ({ name, legend: h('div', { className: 'legend' }), key, title, what }));
   tabs.add('layers', 'Layers',
-    h('div', { className: 'layers-head' }, actions.button('layer.auto', { labelled: true, title: 'Show what tells most at each stage of the run' })),
+    h('div', { className: 'layers-head buttons' }, 
+      actions.button('layer.auto', { labelled: true, title: 'Show what tells most at each stage of the run' }),
+      actions.button('view.inspect', { labelled: true, text: 'Inspect', title: 'Tells of one element; arrow keys go to its neighbours' })),
     h('ul', { className: 'layers' }, ...rows.map(({ name, legend, key, what }) =>
       h('li', null,
         h('div', { className: 'layer' }, actions.button(`layer.${name}`, { title: what }), h('kbd', { 'aria-hidden': 'true' }, key)), legend))));

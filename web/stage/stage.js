@@ -15,7 +15,7 @@ import { Painter } from './painter.js';
  * @property {() => void} [cancel]
  * @property {(context: CanvasRenderingContext2D, view: View) => void} [draw]  on the upper canvas
  * @property {string} [cursor]
- * @property {boolean} [inspects]  false: hovering and clicking tell nothing of the mesh
+ * @property {boolean} [inspects]  whether hovering and clicking tell of the mesh; without: only of the tool 'edit'
  */
 
 const tapReach = 4;  // pixels that a finger may move in a tap

@@ -11,14 +11,14 @@ import { edgesOfRows, typicalLength, welded } from '../topology.js';
 export function* drawCells(pen, { frame, palette }, view) {
   const cells = frame?.cells;
   if (!cells) return;
-  const edges = cellEdges(cells);
+  const same = once(cells, 'same points', () => welded(cells.points));
+  yield;
+  const edges = once(cells, 'edges', () => edgesOfRows(same, cells.offsets, cells.points.length / 2));
+  yield;
   pen.strokeStyle = palette.faint;
   pen.lineWidth = lineWidth(once(cells, 'length', () => typicalLength(cells.points, edges)) * view.scale);
   yield* strokeEdges(pen, cells.points, edges, view);
 }
-
-/** @param {Cells} cells */
-const cellEdges = (cells) => once(cells, 'edges', () => edgesOfRows(welded(cells.points), cells.offsets, cells.points.length / 2));
 
 /** A perfect square has the density 1; this much is at the end of the ramp, whatever the picture. */
 export const highestDensity = 4;
@@ -28,6 +28,7 @@ export function* drawDensity(pen, { frame, palette, norm }, view) {
   const cells = frame?.cells;
   if (!cells) return;
   const relative = relativeDensity(cells, frame.sizes, norm);
+  yield;
   const perOctave = (shadeCount - 1) / Math.log2(highestDensity);
   const shade = (/** @type {number} */ piece) =>
     Math.round(Math.max(0, Math.min(shadeCount - 1, perOctave * Math.log2(Math.max(1, relative[cells.sites[piece]])))));

@@ -1,5 +1,5 @@
 /** @import { Pen, Scene, Snapshot, View } from '../../types' */
-import { strokeEdges } from '../bulk.js';
+import { strokeLines } from '../bulk.js';
 import { drawMark, markOf, traceMark } from '../marks.js';
 import { axisAt, weightsAt } from '../sampler.js';
 import { toScreen } from '../view.js';
@@ -18,7 +18,7 @@ export function* drawCrosses(pen, { frame, palette }, view) {
   const ends = sizes?.triangles.length && sizes.points.length === layer.points.length ? evenly(layer, sizes, view) : thinned(layer, view);
   pen.strokeStyle = palette.accent;
   pen.lineWidth = 1.25;
-  yield* strokeEdges(pen, ends, Array.from({ length: ends.length / 2 }, (_, i) => i), view);
+  yield* strokeLines(pen, ends, view);
   drawSingularities(pen, layer, palette, view);
 }
 

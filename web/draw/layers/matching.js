@@ -1,5 +1,5 @@
 /** @import { Pen, Scene, Snapshot, View } from '../../types' */
-import { fillRows, lineWidth, rowsOf, strokeEdges } from '../bulk.js';
+import { fillRows, lineWidth, rowsOf, strokeEdges, strokeLines } from '../bulk.js';
 import { once } from '../once.js';
 import { packedOf, shadeCount, shadesOf } from '../palette.js';
 import { edgesOf, typicalLength } from '../topology.js';
@@ -14,8 +14,10 @@ export function* drawMatching(pen, { frame, palette }, view) {
   const layer = frame?.matching;
   if (!layer || layer.triangles.length === 0) return;
   const { low, high } = costRange(layer);
-  const ramp = shadesOf(palette.ramps.costs), special = shadeCount;
-  const shades = { css: [...ramp.css, palette.valence[-1]], rgba: [...ramp.rgba, packedOf(palette.valence[-1])] };
+  const special = shadeCount, shades = once(palette, 'pairs', () => {
+    const ramp = shadesOf(palette.ramps.costs), colour = palette.valence[-1];
+    return { css: [...ramp.css, colour], rgba: Uint32Array.of(...ramp.rgba, packedOf(colour)) };
+  });
   const shade = (/** @type {number} */ t) => layer.extra[t] === 1 ? special
     : layer.mates[t] < 0 ? -1
     : Math.round((shadeCount - 1) * Math.max(0, Math.min(1, (layer.costs[t] - low) / (high - low || 1))));
@@ -25,16 +27,19 @@ export function* drawMatching(pen, { frame, palette }, view) {
 
 /** @param {Pen} pen  @param {Matching} layer  @param {Scene['palette']} palette  @param {View} view */
 function* drawLines(pen, layer, palette, view) {
-  const edges = once(layer, 'edges', () => edgesOf(layer.triangles, 3));
-  const side = once(layer, 'length', () => typicalLength(layer.points, edges)) * view.scale;
-  const { kept, links } = once(layer, 'links', () => linksOf(layer));
+  const some = once(layer, 'kept', () => betweenPairs(layer));
+  yield;
+  const kept = once(layer, 'kept once', () => edgesOf(some, 2));
+  yield;
+  const side = once(layer, 'length', () => typicalLength(layer.points, kept)) * view.scale;
   pen.strokeStyle = palette.faint;
   pen.lineWidth = lineWidth(side);
   yield* strokeEdges(pen, layer.points, kept, view);
   if (side < readable) return;
+  const links = once(layer, 'links', () => linksOf(layer));
   pen.strokeStyle = palette.ink;
   pen.lineWidth = Math.min(3, side / 12);
-  yield* strokeEdges(pen, links, Array.from({ length: links.length / 2 }, (_, i) => i), view);
+  yield* strokeLines(pen, links, view);
 }
 
 /** Costs between which 96 of 100 lie. @param {Matching} layer */
@@ -46,25 +51,32 @@ export function costRange(layer) {
   });
 }
 
-/** Edges that are not between partners, and a line from middle to middle of each pair. @param {Matching} layer */
-function linksOf({ points, triangles, mates }) {
-  /** @type {number[]} */
-  const kept = [];
-  /** @type {number[]} */
-  const links = [];
-  const middle = (/** @type {number} */ t, /** @type {number} */ axis) =>
-    (points[2 * triangles[3 * t] + axis] + points[2 * triangles[3 * t + 1] + axis] + points[2 * triangles[3 * t + 2] + axis]) / 3;
-  for (let t = 0; 3 * t < triangles.length; ++t) {
-    const mate = mates[t];
-    if (mate > t) links.push(middle(t, 0), middle(t, 1), middle(mate, 0), middle(mate, 1));
+/** Edges that are not between partners, those inside twice. @param {Matching} layer */
+function betweenPairs({ triangles, mates }) {
+  const all = new Uint32Array(2 * triangles.length);
+  let count = 0;
+  for (let t = 0; 3 * t < triangles.length; ++t)
     for (let k = 0; k < 3; ++k) {
       const a = triangles[3 * t + k], b = triangles[3 * t + (k + 1) % 3];
-      if (mate < 0 || !hasEdge(triangles, mate, b, a)) kept.push(a, b);
+      if (mates[t] >= 0 && hasEdge(triangles, mates[t], b, a)) continue;
+      all[count++] = a;
+      all[count++] = b;
     }
-  }
-  return { kept: edgesOf(Uint32Array.from(kept), 2), links: Float64Array.from(links) };
+  return all.subarray(0, count);
 }
 
 /** @param {Uint32Array} triangles  @param {number} t  @param {number} a  @param {number} b */
-const hasEdge = (triangles, t, a, b) =>
-  [0, 1, 2].some((k) => triangles[3 * t + k] === a && triangles[3 * t + (k + 1) % 3] === b);
+function hasEdge(triangles, t, a, b) {
+  const u = triangles[3 * t], v = triangles[3 * t + 1], w = triangles[3 * t + 2];
+  return u === a && v === b || v === a && w === b || w === a && u === b;
+}
+
+/** A line from middle to middle of each pair. @param {Matching} layer */
+function linksOf({ points, triangles, mates }) {
+  const links = [];
+  const middle = (/** @type {number} */ t, /** @type {number} */ axis) =>
+    (points[2 * triangles[3 * t] + axis] + points[2 * triangles[3 * t + 1] + axis] + points[2 * triangles[3 * t + 2] + axis]) / 3;
+  for (let t = 0; t < mates.length; ++t)
+    if (mates[t] > t) links.push(middle(t, 0), middle(t, 1), middle(mates[t], 0), middle(mates[t], 1));
+  return Float64Array.from(links);
+}

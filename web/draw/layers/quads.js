@@ -10,9 +10,11 @@ import { edgesOf, typicalLength } from '../topology.js';
 export function* drawQuads(pen, { frame, palette }, view) {
   const layer = frame?.quads;
   if (!layer) return;
+  const edges = quadEdges(layer);
+  yield;
   pen.strokeStyle = palette.ink;
   pen.lineWidth = lineWidth(quadLength(layer) * view.scale);
-  yield* strokeEdges(pen, layer.points, quadEdges(layer), view);
+  yield* strokeEdges(pen, layer.points, edges, view);
   if (layer.triangles.length > 0) yield* strokeEdges(pen, layer.points, once(layer, 'left over', () => edgesOf(layer.triangles, 3)), view);
 }
 

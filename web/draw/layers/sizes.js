@@ -1,29 +1,31 @@
 /** @import { Pen, Scene, Snapshot, View } from '../../types' */
-import { fillRows, strokeEdges } from '../bulk.js';
+import { fillRows, strokeLines } from '../bulk.js';
 import { contours } from '../contours.js';
 import { once } from '../once.js';
 import { shadeCount, shadesOf } from '../palette.js';
 import { rangeOf } from '../sampler.js';
 
 /** @typedef {NonNullable<Snapshot['sizes']>} Sizes */
+/** @typedef {{points: Float64Array, offsets: Uint32Array, band: Uint8Array}} Bands */
 
 /** The target size, small to large in equal ratios, with lines of equal size. @param {Pen} pen @param {Scene} scene @param {View} view */
 export function* drawSizes(pen, { frame, palette }, view) {
   const layer = frame?.sizes;
   if (!layer || layer.sizes.length === 0) return;
-  const { bands, lines, bandCount } = once(layer, 'contours', () => contoursOf(layer));
-  yield;
+  const known = once(layer, 'contours', () => /** @type {{made?: {bands: Bands, lines: Float64Array, bandCount: number}}} */ ({}));
+  known.made ??= yield* contoursOf(layer);
+  const { bands, lines, bandCount } = known.made;
   const shade = (/** @type {number} */ i) => Math.round((shadeCount - 1) * (bandCount > 1 ? bands.band[i] / (bandCount - 1) : 0.9));
   yield* fillRows(pen, { points: bands.points, vertices: null, offsets: bands.offsets }, shade, shadesOf(palette.ramps.sizes), view);
   pen.strokeStyle = palette.ink;
   pen.lineWidth = 0.6;
-  yield* strokeEdges(pen, lines, Array.from({ length: lines.length / 2 }, (_, i) => i), view);
+  yield* strokeLines(pen, lines, view);
 }
 
 /** Bands of the logarithm; about 12 percent from one to the next, 16 at most. @param {Sizes} layer */
-function contoursOf(layer) {
+function* contoursOf(layer) {
   const { low, high } = rangeOf(layer.sizes);
   const span = Math.log(high / low), bandCount = span < 0.02 ? 1 : Math.max(2, Math.min(16, Math.ceil(span / 0.12)));
   const heights = layer.sizes.map((h) => bandCount * Math.log(h / low) / (span || 1));
-  return { ...contours(layer.points, layer.triangles, heights, bandCount), bandCount };
+  return { ...yield* contours(layer.points, layer.triangles, heights, bandCount), bandCount };
 }

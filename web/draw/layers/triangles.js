@@ -8,6 +8,7 @@ export function* drawTriangles(pen, { frame, palette }, view) {
   const layer = frame?.triangles;
   if (!layer) return;
   const edges = once(layer, 'edges', () => edgesOf(layer.triangles, 3));
+  yield;
   pen.strokeStyle = palette.faint;
   pen.lineWidth = lineWidth(once(layer, 'length', () => typicalLength(layer.points, edges)) * view.scale);
   yield* strokeEdges(pen, layer.points, edges, view);
