@@ -6,7 +6,8 @@ import type { Runner } from './run/runner.js';
 import type { Store } from './state/store.js';
 import type { Themes } from './header/theme.js';
 import type { Keeping } from './state/keeping.js';
-import type { Drawing, Run, Scene } from './types';
+import type { WorkerSession } from 'lpquad/worker';
+import type { Drawing, Project, Run, Scene } from './types';
 
 export interface App {
   store: Store;
@@ -22,6 +23,8 @@ export interface App {
   /** What is wrong with a drawing; the mesher is not called with it. Set by the sketch part. */
   problemsOf: (drawing: Drawing) => NonNullable<Run['error']>[];
   keeping: Keeping;
+  /** Runs that were recorded elsewhere: shown instead of meshing their projects. */
+  recordings: { project: Project; open: () => Promise<WorkerSession> }[];
   /** Shows a sentence above the stage, and says it. */
   notify: (text: string) => void;
   /** Opens what a person chose, dropped or pasted. Set by the sketch part. */

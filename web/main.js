@@ -4,6 +4,7 @@
 import { installCompare } from './compare/compare.js';
 import { dark, light } from './draw/palette.js';
 import { installFiguresTab } from './figures/figures_tab.js';
+import { installOpeningProjects } from './files/open_project.js';
 import { installFiles } from './files/files.js';
 import { installHeader } from './header/header.js';
 import { Themes } from './header/theme.js';
@@ -21,6 +22,7 @@ import { installFollowing, installFreshness, shownOf } from './run/follow.js';
 import { Preview } from './run/preview.js';
 import { Runner } from './run/runner.js';
 import { installTimeline } from './run/timeline.js';
+import { installStages } from './stages/open.js';
 import { installSketch } from './sketch/install.js';
 import { presets } from './sketch/presets.js';
 import { Stage } from './stage/stage.js';
@@ -50,7 +52,7 @@ const notify = createNotices(element('stage'));
 const app = {
   store, runner, actions, stage, tabs, themes, scene,
   led: () => [runner],
-  problemsOf: () => [], openFiles: async () => {}, openers: [],
+  problemsOf: () => [], openFiles: async () => {}, openers: [], recordings: [],
   announce: (text) => setText(element('announcer'), text),
   notify,
   keeping: new Keeping({ store, runner, notify }),
@@ -66,6 +68,8 @@ installInspector(app);
 installLayers(app);
 installFiguresTab(app);
 installCompare(app, createEngine, refreshTimeline);
+installOpeningProjects(app);
+installStages(app);
 installFiles(app);
 installOffline(app);
 const openChapter = installLearn(app);

@@ -88,10 +88,10 @@ export const chapters = [
       outline like heat. The crosses show what comes out. Round a hole they have to turn, and somewhere they cannot agree. These
       places are marked: there the mesh gets a point where three or five quads meet instead of four. How many, the outline decides.`,
     formula: `<mi>z</mi><mo>=</mo><msup><mi>e</mi><mrow><mi>i</mi><mn>4</mn><mi>θ</mi></mrow></msup><mo>=</mo><mi>a</mi><mo>+</mo><mi>i</mi><mi>b</mi><mo>,</mo><mspace width="0.6em"/>
-      <msup><mo>∇</mo><mn>2</mn></msup><mi>a</mi><mo>=</mo><mn>0</mn><mo>,</mo><mspace width="0.6em"/><msup><mo>∇</mo><mn>2</mn></msup><mi>b</mi><mo>=</mo><mn>0</mn>`,
+      <msup><mo>∇</mo><mn>2</mn></msup><mi>a</mi><mo>=</mo><msup><mo>∇</mo><mn>2</mn></msup><mi>b</mi><mo>=</mo><mn>0</mn>`,
     spoken: 'z is e to the i four theta, with real part a and imaginary part b; the Laplacian of a and that of b are zero inside.',
     source: `${paper}, section 4`,
-    project: figure({ seeds: 'isotropic', method: 'paper' }, ['boundary', 'crosses']), at: { stage: 'seeds' },
+    project: figure({ seeds: 'isotropic', method: 'paper' }, ['boundary', 'crosses']), at: { stage: 'optimise', iteration: 0 },
   },
   {
     id: 'matching', title: 'Triangles find partners',

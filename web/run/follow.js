@@ -44,7 +44,10 @@ export function installFollowing(app, preview) {
   function start(project, going) {
     const [problem] = app.problemsOf(project.drawing);
     if (problem) runner.refuse(project, problem);
-    else void runner.load(project, { going: runner.still ? 'end' : going, keep: going === 'end' });
+    else {
+      const open = app.recordings.find((recording) => haveSameMesh(recording.project, project))?.open;
+      void runner.load(project, { going: runner.still ? 'end' : going, keep: going === 'end', open });
+    }
   }
 
   /** @param {Project} project */

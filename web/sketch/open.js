@@ -5,6 +5,7 @@
 /** @import { ReadDomain } from 'lpquad' */
 /** @import { Notice } from './error_bar.js' */
 import { h } from '../panels/dom.js';
+import { droppedFiles } from '../files/dropped.js';
 import { createEngine } from '../run/engine.js';
 import { emptyDrawing, emptyProject } from '../state/project.js';
 import { titleOf } from './errors/words.js';
@@ -135,6 +136,6 @@ function listenForDrops(mark, openFiles) {
   window.addEventListener('drop', (event) => {
     if (!hasFiles(event)) return;
     event.preventDefault();
-    void openFiles([...event.dataTransfer?.files ?? []]);
+    void droppedFiles(event.dataTransfer).then(openFiles);
   });
 }

@@ -1,0 +1,22 @@
+// A saved project is opened like any file.
+/** @import { App } from '../app' */
+import { NotAProject } from '../state/judge.js';
+import { isProjectText, readProject } from '../state/project_file.js';
+
+const mostBytes = 2 ** 26;
+
+/** @param {App} app */
+export function installOpeningProjects({ openers, store, stage, notify, announce }) {
+  openers.push(async ([file]) => {
+    if (file === undefined || !file.name.toLowerCase().endsWith('.json') || file.size > mostBytes) return false;
+    if (!isProjectText(await file.slice(0, 200).text())) return false;
+    try {
+      store.change(`Open ${file.name}`, readProject(await file.text()));
+      stage.fit();
+      announce(`${file.name} opened`);
+    } catch (error) {
+      notify(`${file.name} could not be opened: ${error instanceof NotAProject ? error.message : 'it is damaged'}.`);
+    }
+    return true;
+  });
+}

@@ -1,0 +1,45 @@
+// Opens the folder that `lpquad mesh … --stages DIR` wrote, chosen or dropped, as a run of its own:
+// the same timeline, layers and figures step through what the native program did.
+/** @import { App } from '../app' */
+/** @import { WorkerSession } from 'lpquad/worker' */
+import { h } from '../panels/dom.js';
+import { emptyProject } from '../state/project.js';
+import { BadStages } from './parse.js';
+import { isStagesFolder, readStages, RecordedSession } from './recording.js';
+
+const mostBytes = 2 ** 29;
+
+/** @param {App} app */
+export function installStages(app) {
+  const { actions, openers, notify } = app;
+  const take = async (/** @type {File[]} */ files) => {
+    if (!isStagesFolder(files.map(({ name }) => name))) return false;
+    await open(app, files);
+    return true;
+  };
+  openers.unshift(take);
+  const input = h('input', { type: 'file', hidden: true, 'aria-label': 'Folder of stages', webkitdirectory: true, onchange: async () => {
+    const files = [...input.files ?? []];
+    input.value = '';
+    if (files.length > 0 && !await take(files)) notify('This is not a folder that lpquad mesh --stages wrote: hardly any of its files are there.');
+  } });
+  document.body.append(input);
+  actions.add({ id: 'file.stages', label: 'Open the stages of a native run', icon: 'open', run: () => input.click() });
+}
+
+/** @param {App} app  @param {File[]} files */
+async function open({ store, stage, recordings, notify, announce }, files) {
+  try {
+    if (files.reduce((sum, { size }) => sum + size, 0) > mostBytes) throw new BadStages('It is larger than 512 MiB.');
+    const texts = new Map(await Promise.all(files.filter(({ name }) => /\.(json|obj)$/.test(name)).map(async (file) => /** @type {const} */ ([file.name, await file.text()]))));
+    const recording = readStages(texts);
+    const name = files[0].webkitRelativePath.split('/')[0] || 'native run';
+    const project = { ...emptyProject, name, drawing: recording.drawing, options: { norm: recording.norm } };
+    recordings.push({ project, open: async () => /** @type {WorkerSession} */ (/** @type {unknown} */ (new RecordedSession(recording))) });
+    store.change(`Open the stages in ${name}`, project);
+    stage.fit();
+    announce(`${name} opened: ${recording.steps.length} stages of a native run`);
+  } catch (error) {
+    notify(`The stages could not be opened. ${error instanceof BadStages ? error.message : 'A file is damaged.'}`);
+  }
+}
