@@ -74,7 +74,7 @@ installFiles(app);
 installOffline(app);
 const openChapter = installLearn(app);
 
-installFollowing(app, preview);
+const startRun = installFollowing(app, preview);
 installFreshness(app, preview);
 store.subscribe(() => {
   stage.invalidate();
@@ -95,6 +95,6 @@ addEventListener('hashchange', async () => {
   openChapter(place.chapter, project === null);
 });
 if (opened.notice) app.notify(opened.notice);
-void runner.load(store.project, { going: runner.still ? 'end' : 'play' });
+startRun(store.project, 'play');
 if (opened.place.tick !== undefined) void runner.seek(opened.place.tick);
 openChapter(opened.place.chapter, opened.project === null);

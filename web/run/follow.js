@@ -24,7 +24,7 @@ export function shownOf(project, run, preview) {
   return { frame, result, freshness, layers: shownLayers(project.layers, frame ?? run.state) };
 }
 
-/** @param {App} app  @param {Preview} preview */
+/** @param {App} app  @param {Preview} preview  @returns how the first run is started */
 export function installFollowing(app, preview) {
   const { store, runner } = app;
   let timer = /** @type {ReturnType<typeof setTimeout> | undefined} */ (undefined);
@@ -75,6 +75,7 @@ export function installFollowing(app, preview) {
     if (phase === 'done') void preview.warm();
   });
   preview.subscribe(() => app.stage.invalidate());
+  return start;
 }
 
 /** Says beside a mesh that is not the drawing's that it is not. @param {App} app  @param {Preview} preview */
