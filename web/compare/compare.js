@@ -23,31 +23,38 @@ export function installCompare(app, createEngine, refreshTimeline) {
       const at = comparisons.findIndex(({ id }) => id === store.project.comparison);
       choose(comparisons[(at + 1) % comparisons.length].id);
     } },
-    { id: 'compare.end', label: 'End the comparison', icon: 'close', enabled: () => store.project.comparison !== '', run: () => choose('') });
+    { id: 'compare.end', label: 'End the comparison', icon: 'close',
+      enabled: () => store.project.comparison !== '', run: () => choose('') });
   body.append(actions.button('compare.end', { labelled: true }));
 
   /** @type {ReturnType<typeof createPair> | null} */
   let pair = null;
+  const refresh = () => {
+    show(pair?.figures ?? []);
+    refreshTimeline();
+    actions.refresh();
+  };
   function follow() {
     const comparison = comparisonOf(store.project.comparison);
     section.hidden = comparison === undefined;
     document.body.classList.toggle('comparing', comparison !== undefined);
     if (comparison === undefined) pair?.close();
     else {
-      pair ??= createPair(app, section, createEngine, () => { show(pair?.figures ?? []); refreshTimeline(); actions.refresh(); });
+      pair ??= createPair(app, section, createEngine, refresh);
       pair.follow(comparison);
     }
     app.led = () => (comparison === undefined || pair === null ? [app.runner] : pair.runners);
-    show(pair?.figures ?? []);
-    refreshTimeline();
-    actions.refresh();
+    refresh();
   }
   store.subscribe(follow);
   app.themes.subscribe(() => pair?.refresh());
   follow();
 }
 
-/** @param {App} app  @param {HTMLElement} section  @param {() => Promise<LpquadWorker>} createEngine  @param {() => void} changed */
+/**
+ * @param {App} app  @param {HTMLElement} section
+ * @param {() => Promise<LpquadWorker>} createEngine  @param {() => void} changed
+ */
 function createPair(app, section, createEngine, changed) {
   const sides = ['A', 'B'].map((letter) => createSide(app, letter, createEngine));
   section.replaceChildren(h('div', { className: 'sides' }, ...sides.map(({ element }) => element)));
@@ -89,7 +96,8 @@ function link(main, stages) {
   for (const stage of [main, ...stages]) stage.looked = lead(stage);
 }
 
-/** The tab where comparisons are chosen, with the table of differences. @param {App} app  @param {(id: string) => void} choose */
+/** The tab where comparisons are chosen, with the table of differences.
+ * @param {App} app  @param {(id: string) => void} choose */
 function createTab({ store, tabs }, choose) {
   const why = h('p', { className: 'help' });
   const radios = ['', ...comparisons.map(({ id }) => id)].map((id) =>

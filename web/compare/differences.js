@@ -11,7 +11,8 @@ export function createDifferences() {
     const by = h('td', { className: 'by' });
     return { line, cells, by, row: h('tr', null, h('th', { scope: 'row' }, line.name), ...cells, by) };
   });
-  const element = h('table', { className: 'differences numbers', hidden: true }, h('caption', { className: 'only-heard' }, 'Differences'),
+  const element = h('table', { className: 'differences numbers', hidden: true },
+    h('caption', { className: 'only-heard' }, 'Differences'),
     h('thead', null, h('tr', null, h('td', null), ...heads, h('th', { scope: 'col' }, 'B − A'))),
     h('tbody', null, ...rows.map(({ row }) => row)));
 

@@ -12,6 +12,8 @@ import { describe } from '../run/words.js';
 import { Stage } from '../stage/stage.js';
 import { projectOf } from './comparisons.js';
 
+const nothing = { project: null, frame: null };  // a side has no previews
+
 /** @param {App} app  @param {string} letter  @param {() => Promise<LpquadWorker>} createEngine */
 export function createSide(app, letter, createEngine) {
   /** @type {{project: Project, side: Side, made: Project} | null} */
@@ -26,8 +28,8 @@ export function createSide(app, letter, createEngine) {
     h('div', { className: 'side-head' }, h('strong', null, letter), name, told), area);
   const project = () => last?.made ?? app.store.project;
   const stage = new Stage(area, () => ({
-    ...app.scene(), ...shownOf(project(), runner.run, { project: null, frame: null }), palette: app.themes.dark ? dark : light,
-    drawing: app.store.project.drawing, norm: project().options.norm ?? 6,
+    ...app.scene(), ...shownOf(project(), runner.run, nothing),
+    palette: app.themes.dark ? dark : light, drawing: app.store.project.drawing, norm: project().options.norm ?? 6,
   }));
 
   const refresh = () => {
@@ -58,7 +60,8 @@ export function createSide(app, letter, createEngine) {
     },
     /** A gesture goes on: what is shown is of before. */
     wait() {
-      if (last !== null) last = { ...last, made: { ...last.made, drawing: app.store.project.drawing, options: { ...last.made.options } } };
+      const { drawing } = app.store.project;
+      if (last !== null) last = { ...last, made: { ...last.made, drawing, options: { ...last.made.options } } };
       runner.pause();
       refresh();
     },

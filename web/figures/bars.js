@@ -12,7 +12,8 @@ function createTable(heads) {
   let shown = [];
   const fill = () => {
     if (!details.open) return;
-    rows.replaceChildren(...shown.map(({ label, value, text }) => h('tr', null, h('th', { scope: 'row' }, label), h('td', null, text ?? String(value)))));
+    rows.replaceChildren(...shown.map(({ label, value, text }) =>
+      h('tr', null, h('th', { scope: 'row' }, label), h('td', null, text ?? String(value)))));
   };
   const details = h('details', { className: 'as-table', ontoggle: fill }, h('summary', null, 'As a table'),
     h('table', null, h('thead', null, h('tr', null, ...heads.map((head) => h('th', { scope: 'col' }, head)))), rows));
@@ -22,25 +23,33 @@ function createTable(heads) {
 /** Upright bars. @param {{name: string, help: string, heads: string[]}} what */
 export function createHistogram({ name, help, heads }) {
   const drawn = s('g', null), summary = h('span', { className: 'numbers' });
-  const svg = s('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img' }, drawn, s('path', { class: 'curve-axis', d: `M0 ${base + 0.5}H${width}` }));
+  const axis = s('path', { class: 'curve-axis', d: `M0 ${base + 0.5}H${width}` });
+  const svg = s('svg', { viewBox: `0 0 ${width} ${height}`, role: 'img' }, drawn, axis);
   const table = createTable(heads);
-  const element = h('figure', { className: 'histogram' }, h('figcaption', { title: help }, h('span', null, name), summary), svg, table.details);
+  const element = h('figure', { className: 'histogram' },
+    h('figcaption', { title: help }, h('span', null, name), summary), svg, table.details);
   /** @param {Bar[]} bars  @param {string} inWords */
   function show(bars, inWords) {
-    const most = Math.max(1, ...bars.map(({ value }) => value));
-    const step = width / bars.length;
-    drawn.replaceChildren(...bars.flatMap(({ label, value, text }, i) => {
-      const tall = value === 0 ? 0 : Math.max(1.5, value / most * (base - 6));
-      return [
-        s('rect', { x: i * step + 1, y: base - tall, width: step - 2, height: tall }, s('title', null, `${label}: ${text ?? value}`)),
-        ...(bars.length < 12 || i % 5 === 0 ? [s('text', { x: bars.length < 12 ? (i + 0.5) * step : i * step, y: height - 4, 'text-anchor': bars.length < 12 ? 'middle' : 'start' }, label)] : []),
-      ];
-    }));
+    drawn.replaceChildren(...uprights(bars));
     setText(summary, inWords);
     svg.setAttribute('aria-label', `${name}: ${inWords}`);
     table.show(bars);
   }
   return { element, show };
+}
+
+/** A bar is seen even of one among thousands. @param {Bar[]} bars */
+function uprights(bars) {
+  const most = Math.max(1, ...bars.map(({ value }) => value));
+  const step = width / bars.length;
+  const few = bars.length < 12;  // then each has its label below, else every fifth at its left end
+  return bars.flatMap(({ label, value, text }, i) => {
+    const tall = value === 0 ? 0 : Math.max(1.5, value / most * (base - 6));
+    const place = { x: few ? (i + 0.5) * step : i * step, y: height - 4, 'text-anchor': few ? 'middle' : 'start' };
+    const bar = s('rect', { x: i * step + 1, y: base - tall, width: step - 2, height: tall },
+      s('title', null, `${label}: ${text ?? value}`));
+    return few || i % 5 === 0 ? [bar, s('text', place, label)] : [bar];
+  });
 }
 
 /** Lying bars with their values. @param {{name: string, help: string}} what */
@@ -54,7 +63,8 @@ export function createBars({ name, help }) {
     list.replaceChildren(...bars.map(({ label, value, text }) => {
       const bar = h('span', { className: 'bar' });
       bar.style.width = `${100 * value / most}%`;
-      return h('li', null, h('span', null, label), h('span', { className: 'track' }, bar), h('span', { className: 'numbers' }, text ?? String(value)));
+      return h('li', null, h('span', null, label), h('span', { className: 'track' }, bar),
+        h('span', { className: 'numbers' }, text ?? String(value)));
     }));
   }
   return { element, show };

@@ -6,19 +6,23 @@ const width = 340, height = 96, left = 46, right = 8, top = 8, bottom = 18;
 /** @typedef {{x: number, y: number}} Sample */
 
 /**
- * @param {{name: string, unit: string, log?: boolean, help: string}} what
+ * @param {{name: string, log?: boolean, help: string}} what
  * @param {{hover: (x: number) => void, leave: () => void, pin: (x: number) => void, turn: (key: string) => void}} scrub
  */
-export function createCurve({ name, unit, log = false, help }, scrub) {
-  const line = s('polyline', { class: 'curve-line' }), mark = s('line', { class: 'curve-mark', y1: top, y2: height - bottom });
+export function createCurve({ name, log = false, help }, scrub) {
+  const line = s('polyline', { class: 'curve-line' });
+  const mark = s('line', { class: 'curve-mark', y1: top, y2: height - bottom });
   const dot = s('circle', { class: 'curve-dot', r: 4 });
   const texts = ['high', 'low', 'from', 'to'].map((kind) => s('text', { class: `curve-${kind}` }));
   const svg = s('svg', { viewBox: `0 0 ${width} ${height}`, 'aria-hidden': 'true' },
-    s('path', { class: 'curve-axis', d: `M${left} ${top}V${height - bottom}H${width - right}` }), line, mark, dot, ...texts);
+    s('path', { class: 'curve-axis', d: `M${left} ${top}V${height - bottom}H${width - right}` }),
+    line, mark, dot, ...texts);
   const readout = h('span', { className: 'numbers' });
-  const area = h('div', { role: 'slider', tabIndex: 0, className: 'curve-area', 'aria-label': `${name} by iteration`, 'aria-valuemin': '0',
+  const area = h('div', {
+    role: 'slider', tabIndex: 0, className: 'curve-area', 'aria-label': `${name} by iteration`, 'aria-valuemin': '0',
     onpointermove: (/** @type {PointerEvent} */ event) => scrub.hover(xAt(event)), onpointerleave: () => scrub.leave(),
-    onpointerdown: (/** @type {PointerEvent} */ event) => scrub.pin(xAt(event)), onkeydown: turn }, svg);
+    onpointerdown: (/** @type {PointerEvent} */ event) => scrub.pin(xAt(event)), onkeydown: turn,
+  }, svg);
   const element = h('figure', { className: 'curve' },
     h('figcaption', { title: help }, h('span', null, name), readout), area);
   /** @type {Sample[]} */
@@ -51,8 +55,11 @@ export function createCurve({ name, unit, log = false, help }, scrub) {
       dot.setAttribute('cx', String(x(now.x)));
       dot.setAttribute('cy', String(y(now.y)));
     }
-    label([[high, left - 4, top + 8, 'end'], [low, left - 4, height - bottom, 'end'], ['0', left, height - 4, 'start'], [String(end), width - right, height - 4, 'end']]);
-    const text = now ? `${now.y.toPrecision(4)}${unit}` : '';
+    label([
+      [high, left - 4, top + 8, 'end'], [low, left - 4, height - bottom, 'end'],
+      ['0', left, height - 4, 'start'], [String(end), width - right, height - 4, 'end'],
+    ]);
+    const text = now ? now.y.toPrecision(4) : '';
     setText(readout, text);
     area.setAttribute('aria-valuemax', String(end));
     area.setAttribute('aria-valuenow', String(at));
@@ -62,7 +69,8 @@ export function createCurve({ name, unit, log = false, help }, scrub) {
   function label(places) {
     places.forEach(([text, x, y, anchor], i) => {
       setText(texts[i], text);
-      for (const [key, value] of Object.entries({ x, y, 'text-anchor': anchor })) texts[i].setAttribute(key, String(value));
+      const attributes = { x, y, 'text-anchor': anchor };
+      for (const [key, value] of Object.entries(attributes)) texts[i].setAttribute(key, String(value));
     });
   }
   return { element, show };

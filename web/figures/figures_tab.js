@@ -43,14 +43,18 @@ function titleOf({ frame }, { final }, old) {
 /** @param {App} app */
 function createCurves({ runner }) {
   const scrub = createScrub(runner);
-  const energy = createCurve({ name: 'Energy E', unit: '', help: 'The L_p energy of the cells, without unit. Point at the curve to see the cells at that iteration.' }, scrub);
-  const slope = createCurve({ name: 'Slope ‖g‖, logarithmic', unit: '', log: true, help: 'How steeply the energy still falls at each iteration.' }, scrub);
-  const none = h('p', { className: 'quiet' }, 'This run has no L_p iterations: its first points are aligned already. Choose isotropic first points in the Mesh tab to see cells settle.');
+  const energy = createCurve({ name: 'Energy E',
+    help: 'The L_p energy of the cells, without unit. Point at the curve to see the cells at that iteration.' }, scrub);
+  const slope = createCurve({ name: 'Slope ‖g‖, logarithmic', log: true,
+    help: 'How steeply the energy still falls at each iteration, without unit.' }, scrub);
+  const none = h('p', { className: 'quiet' }, 'This run has no L_p iterations: its first points are aligned already. '
+    + 'Choose isotropic first points in the Mesh tab to see cells settle.');
   const curves = h('div', null, energy.element, slope.element);
   /** @param {Figures} _  @param {Run} run */
   function show(_, run) {
     const { iterates, planned } = iteratesOf(run);
-    none.hidden = iterates.length > 0 || run.state === null || run.state.stage === 'seeds' || run.state.stage === 'optimise';
+    const early = run.state === null || run.state.stage === 'seeds' || run.state.stage === 'optimise';
+    none.hidden = iterates.length > 0 || early;
     curves.hidden = iterates.length === 0;
     const at = iterationOf(run.frame, iterates);
     energy.show(iterates.map((one) => ({ x: one.iteration, y: one.energy })), planned, at);
@@ -60,37 +64,44 @@ function createCurves({ runner }) {
 }
 
 function createQuality() {
-  const eta = createHistogram({ name: 'Quads by squareness η', help: 'How many quads there are in each twentieth from 0 to 1.', heads: ['η', 'Quads'] });
-  const valence = createHistogram({ name: 'Vertices by number of quads', help: 'How many quads meet at interior vertices; four is regular.', heads: ['Quads at a vertex', 'Vertices'] });
+  const eta = createHistogram({ name: 'Quads by squareness η', heads: ['η', 'Quads'],
+    help: 'How many quads there are in each twentieth from 0 to 1.' });
+  const valence = createHistogram({ name: 'Vertices by number of quads', heads: ['Quads at a vertex', 'Vertices'],
+    help: 'How many quads meet at interior vertices; four is regular.' });
   const element = h('div', { hidden: true }, eta.element, valence.element);
   /** @param {Figures} figures */
   function show({ etaHistogram, valenceHistogram, etaMean, fourValentPercent }) {
     element.hidden = etaHistogram === undefined || valenceHistogram === undefined;
     if (etaHistogram === undefined || valenceHistogram === undefined) return;
     eta.show(etaHistogram.map((value, i) => ({ label: (i / 20).toFixed(2), value })), `mean ${etaMean?.toFixed(3)}`);
-    valence.show(valenceHistogram.slice(2).map((value, i) => ({ label: i + 2 === 9 ? '9+' : String(i + 2), value })), fourValentPercent === undefined ? '' : `${fourValentPercent.toFixed(1)} % have four`);
+    valence.show(valenceHistogram.slice(2).map((value, i) => ({ label: i + 2 === 9 ? '9+' : String(i + 2), value })),
+      fourValentPercent === undefined ? '' : `${fourValentPercent.toFixed(1)} % have four`);
   }
   return { element, show };
 }
 
 /** @type {Record<string, string>} */
 const stages = {
-  prepare: 'outline and field', seeds: 'first points', optimise: 'settling cells', match: 'choosing pairs', clean: 'merging, tidying',
-  patch: 'remeshing patches', smooth: 'smoothing', check: 'last check',
+  prepare: 'outline and field', seeds: 'first points', optimise: 'settling cells', match: 'choosing pairs',
+  clean: 'merging, tidying', patch: 'remeshing patches', smooth: 'smoothing', check: 'last check',
 };
 
 function createTimes() {
-  const bars = createBars({ name: 'Time by stage', help: 'Computing time of the mesher in this browser, without drawing.' });
+  const bars = createBars({ name: 'Time by stage',
+    help: 'Computing time of the mesher in this browser, without drawing.' });
   const element = h('div', { hidden: true }, bars.element);
   /** @param {Figures} figures */
   function show({ seconds }) {
     element.hidden = seconds === undefined;
     if (seconds === undefined) return;
     const total = Object.values(seconds).reduce((sum, one) => sum + one, 0);
-    bars.show(Object.entries(seconds).map(([name, value]) => ({ label: stages[name] ?? name, value, text: inMilliseconds(value) })), inMilliseconds(total));
+    const rows = Object.entries(seconds).map(([name, value]) =>
+      ({ label: stages[name] ?? name, value, text: inMilliseconds(value) }));
+    bars.show(rows, inMilliseconds(total));
   }
   return { element, show };
 }
 
 /** @param {number} seconds */
-export const inMilliseconds = (seconds) => (seconds < 10 ? `${Math.round(1000 * seconds).toLocaleString('en')} ms` : `${seconds.toFixed(1)} s`);
+const inMilliseconds = (seconds) =>
+  (seconds < 10 ? `${Math.round(1000 * seconds).toLocaleString('en')} ms` : `${seconds.toFixed(1)} s`);

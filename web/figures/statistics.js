@@ -60,6 +60,10 @@ export function reported(report) {
   };
 }
 
+/** @param {NonNullable<Snapshot['triangles']>} layer */
+const countsOf = ({ points, triangles, boundaryNodes }) =>
+  ({ vertices: points.length / 2, triangles: triangles.length / 3, boundaryNodes });
+
 /** Of the picture that is shown. @param {Run} run @returns {Figures} */
 export function figuresOf({ frame, result }) {
   if (frame?.stage === 'done' && result) return reported(result.report);
@@ -67,7 +71,7 @@ export function figuresOf({ frame, result }) {
   const settling = frame.stage === 'optimise';
   return {
     final: false,
-    ...(frame.triangles && { vertices: frame.triangles.points.length / 2, triangles: frame.triangles.triangles.length / 3, boundaryNodes: frame.triangles.boundaryNodes }),
+    ...(frame.triangles && countsOf(frame.triangles)),
     ...(frame.crosses && { singularities: frame.crosses.indices.length }),
     ...(frame.quads && qualityOf(frame.quads)),
     ...(settling && { energy: frame.energy, gradientNorm: frame.gradientNorm || undefined }),
@@ -77,18 +81,21 @@ export function figuresOf({ frame, result }) {
 
 /** One iteration of the L_p stage. @typedef {{iteration: number, energy: number, gradientNorm: number}} Iterate */
 
-/** What is known of the iterations, and the tick of the first. @param {Run} run @returns {{iterates: Iterate[], first: number, planned: number}} */
+/** What is known of the iterations, and the tick of the first.
+ * @param {Run} run  @returns {{iterates: Iterate[], first: number, planned: number}} */
 export function iteratesOf({ history, result }) {
   const seen = history.filter(({ stage }) => stage === 'optimise');
   const first = seen.length > 0 ? seen[0].tick - seen[0].iteration : 0;
   const planned = seen.at(-1)?.maxIterations ?? 0;
   const { energy, gradientNorm } = result?.report.lp ?? {};
   if (energy && seen.length > 0)
-    return { first, planned: energy.length - 1, iterates: energy.map((value, iteration) => ({ iteration, energy: value, gradientNorm: gradientNorm?.[iteration] ?? 0 })) };
-  return { first, planned, iterates: seen.map(({ iteration, energy: value, gradientNorm: norm }) => ({ iteration, energy: value, gradientNorm: norm ?? 0 })) };
+    return { first, planned: energy.length - 1, iterates: energy.map((value, iteration) =>
+      ({ iteration, energy: value, gradientNorm: gradientNorm?.[iteration] ?? 0 })) };
+  return { first, planned, iterates: seen };
 }
 
-/** The iteration a state stands for; the end of the L_p stage counts as its last. @param {State | null} state  @param {Iterate[]} iterates */
+/** The iteration a state stands for; the end of the L_p stage counts as its last.
+ * @param {State | null} state  @param {Iterate[]} iterates */
 export function iterationOf(state, iterates) {
   if (state === null || state.stage === 'seeds') return 0;
   return state.stage === 'optimise' ? state.iteration : iterates.at(-1)?.iteration ?? 0;

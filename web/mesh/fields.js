@@ -16,15 +16,19 @@ export function frame(info, give, /** @type {Node[]} */ ...controls) {
   const name = nameOfOption(info.name);
   const reset = h('button', { type: 'button', className: 'reset', title: `Back to ${inDefault(info)}`,
     'aria-label': `${name}: back to ${inDefault(info)}`, onclick: () => give(info.default) }, icon('again'));
-  const help = h('p', { className: 'help', id: `help-${info.name}` }, info.help, rangeInWords(info) && ` (${rangeInWords(info)})`);
-  const element = h('div', { className: 'option', role: 'group', 'aria-labelledby': `name-${info.name}`, 'data-option': info.name },
-    h('div', { className: 'option-head' }, h('span', { id: `name-${info.name}`, className: 'option-name' }, name), reset),
-    ...controls, help);
+  const range = rangeInWords(info);
+  const help = h('p', { className: 'help', id: `help-${info.name}` }, info.help, range && ` (${range})`);
+  const title = h('span', { id: `name-${info.name}`, className: 'option-name' }, name);
+  const element = h('div',
+    { className: 'option', role: 'group', 'aria-labelledby': `name-${info.name}`, 'data-option': info.name },
+    h('div', { className: 'option-head' }, title, reset), ...controls, help);
   return { element, changed: (/** @type {boolean} */ changed) => { reset.hidden = !changed; } };
 }
 
 /** @param {OptionInfo} info */
-const inDefault = (info) => (info.default === -1 || (info.name === 'size' && info.default === 0) ? 'automatic' : String(info.default));
+function inDefault({ name, default: usual }) {
+  return usual === -1 || (name === 'size' && usual === 0) ? 'automatic' : String(usual);
+}
 
 /** @param {OptionInfo} info  @param {Give} give @returns {Field} */
 export function createField(info, give) {
@@ -62,7 +66,8 @@ export function createNumber(info, give) {
 
 /** @param {OptionInfo} info  @param {Give} give @returns {Field} */
 function booleanField(info, give) {
-  const box = h('input', { type: 'checkbox', id: `option-${info.name}`, 'aria-describedby': `help-${info.name}`, onchange: () => give(box.checked) });
+  const box = h('input', { type: 'checkbox', id: `option-${info.name}`, 'aria-describedby': `help-${info.name}`,
+    onchange: () => give(box.checked) });
   const { element, changed } = frame(info, give);
   const name = /** @type {HTMLElement} */ (element.querySelector('.option-name'));
   name.replaceWith(h('label', { className: 'check' }, box, name.cloneNode(true)));
@@ -76,21 +81,28 @@ function choiceField(info, give) {
   return { element, show: (value) => { choices.show(value); changed(value !== info.default); } };
 }
 
-/** Radio buttons in a row. @param {string} name  @param {Value[]} values  @param {Give} give @param {(value: any) => Node | string} [look] */
+/** Radio buttons in a row.
+ * @param {string} name  @param {Value[]} values  @param {Give} give  @param {(value: any) => Node | string} [look] */
 export function createChoices(name, values, give, look = (value) => String(value).replace('-', ' ')) {
-  const radios = values.map((value) => h('input', { type: 'radio', name: `option-${name}`, value: String(value), onchange: () => give(value) }));
-  const element = h('div', { className: 'choices', role: 'radiogroup', 'aria-labelledby': `name-${name}`, 'aria-describedby': `help-${name}` },
-    ...radios.map((radio, i) => h('label', null, radio, h('span', null, look(values[i])))));
-  const show = (/** @type {Value} */ value) => { radios.forEach((radio, i) => { radio.checked = values[i] === value; }); };
+  const radios = values.map((value) =>
+    h('input', { type: 'radio', name: `option-${name}`, value: String(value), onchange: () => give(value) }));
+  const element = h('div', { className: 'choices', role: 'radiogroup', 'aria-labelledby': `name-${name}`,
+    'aria-describedby': `help-${name}` },
+  ...radios.map((radio, i) => h('label', null, radio, h('span', null, look(values[i])))));
+  const show = (/** @type {Value} */ value) => {
+    radios.forEach((radio, i) => { radio.checked = values[i] === value; });
+  };
   return { element, show };
 }
 
-/** From 0; a drag is one gesture, over when the slider is let go. @param {OptionInfo} info  @param {{max: string, step: string}} range
+/** From 0; a drag is one gesture, over when the slider is let go.
+ * @param {OptionInfo} info  @param {{max: string, step: string}} range
  * @param {(value: number, gesture: boolean) => void} give */
 export function createSlider(info, range, give) {
   let held = false;
   const over = () => { if (held) give(Number(slider.value), held = false); };
-  const slider = h('input', { type: 'range', min: '0', ...range, 'aria-label': nameOfOption(info.name), 'aria-describedby': `help-${info.name}`,
+  const slider = h('input', { type: 'range', min: '0', ...range,
+    'aria-label': nameOfOption(info.name), 'aria-describedby': `help-${info.name}`,
     oninput: () => give(Number(slider.value), held = true),
     // Not only onchange: there is none if the slider is let go where it began.
     onchange: over, onpointerup: over, onpointercancel: over, onblur: over });

@@ -42,7 +42,7 @@ function createForm(app, infos) {
       if (gesture !== '') app.store.settle();
       gesture = '';
     };
-    const field = (special[info.name] ?? ((/** @type {App} */ _, /** @type {OptionInfo} */ one, /** @type {Give} */ to) => createField(one, to)))(app, info, give);
+    const field = special[info.name]?.(app, info, give) ?? createField(info, give);
     fields.push({ element: field.element, show: () => field.show(valueOf(app.store.project.options, info)) });
     return field.element;
   };
@@ -63,7 +63,8 @@ const special = { size: sizeField, norm: normField, iterations: iterationsField,
 /** @type {typeof special.size} */
 function sizeField({ store }, info, give) {
   const number = createNumber(info, give);
-  const slider = createSlider(info, { max: '1', step: '0.005' }, (place, more) => give(sizeAt(sizeRange(store.project.drawing), place), more));
+  const slider = createSlider(info, { max: '1', step: '0.005' },
+    (place, more) => give(sizeAt(sizeRange(store.project.drawing), place), more));
   const count = h('span', { className: 'quiet numbers' });
   const { element, changed } = frame(info, give, h('div', { className: 'with-slider' }, slider, number.element), count);
   const show = (/** @type {import('./options.js').Value} */ value) => {
@@ -82,11 +83,13 @@ function sizeField({ store }, info, give) {
 /** @type {typeof special.size} */
 function normField(app, info, give) {
   const ball = createBall();
-  const choices = createChoices(info.name, [2, 4, 6, 8], give, (p) => h('span', { className: 'ball-choice' }, ballIcon(p), String(p)));
+  const choices = createChoices(info.name, [2, 4, 6, 8], give,
+    (p) => h('span', { className: 'ball-choice' }, ballIcon(p), String(p)));
   const number = createNumber(info, give);
   const { element, changed } = frame(info, give,
     h('div', { className: 'with-ball' }, ball.element, h('div', null, choices.element, number.element)),
-    h('p', { className: 'help' }, 'All points at distance 1 in the L_p norm, turned to the cross of the field. The larger p, the squarer the cells become.'));
+    h('p', { className: 'help' }, 'All points at distance 1 in the L_p norm, turned to the cross of the field. '
+      + 'The larger p, the squarer the cells become.'));
   return { element, show: (value) => {
     ball.show(Number(value));
     choices.show(value);
@@ -111,7 +114,8 @@ function iterationsField(app, info, give) {
 /** @type {typeof special.size} */
 function seedField({ store }, info, give) {
   const number = createNumber(info, give);
-  const other = h('button', { type: 'button', onclick: () => give(Number(valueOf(store.project.options, info)) + 1) }, icon('next'), 'Another');
+  const next = () => give(Number(valueOf(store.project.options, info)) + 1);
+  const other = h('button', { type: 'button', onclick: next }, icon('next'), 'Another');
   const { element, changed } = frame(info, give, h('div', { className: 'with-slider' }, number.element, other));
   return { element, show: (value) => { number.show(value); changed(value !== info.default); } };
 }

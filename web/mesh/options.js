@@ -14,11 +14,13 @@ const names = {
 };
 
 /** Shown first, in this order. */
-export const mainOptions = ['size', 'norm', 'iterations', 'seeds', 'seed', 'method', 'effort', 'smoothing', 'keepBoundary', 'elements'];
+export const mainOptions = [
+  'size', 'norm', 'iterations', 'seeds', 'seed', 'method', 'effort', 'smoothing', 'keepBoundary', 'elements',
+];
 
 /** @param {string} name  also of an option that is newer than this list */
 export const nameOfOption = (name) => names[name]
-  ?? name.replace(/^./, (first) => first.toUpperCase()).replace(/[A-Z]/g, (letter, at) => (at > 0 ? ` ${letter.toLowerCase()}` : letter));
+  ?? name.replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`).replace(/^./, (first) => first.toUpperCase());
 
 /** @param {MeshOptions} options  @param {OptionInfo} info  @returns {Value} */
 export const valueOf = (options, info) => /** @type {Record<string, Value>} */ (options)[info.name] ?? info.default;
@@ -46,15 +48,16 @@ export function problemWith(info, text) {
 /** A comma is taken for a point: it is one on many keyboards. @param {string} text */
 export const numberOf = (text) => Number(text.trim().replace(',', '.'));
 
-/** @param {number} number  as short as it can be typed again */
-export const inWords = (number) => (Math.abs(number) >= 1e16 ? number.toExponential() : String(Number(number.toPrecision(6))));
+/** As short as it can be typed again. @param {number} number */
+export const inWords = (number) => (Math.abs(number) >= 1e16 ? number.toExponential() : String(number));
 
 /** The numbers that an option takes, in words. @param {OptionInfo} info */
 export function rangeInWords({ type, min, max, unit }) {
   if (type !== 'number' && type !== 'integer') return '';
   const bounded = max !== undefined && max < 1e15;
   const range = min === undefined ? '' : bounded ? `${inWords(min)} to ${inWords(max)}` : `${inWords(min)} or more`;
-  return [type === 'integer' ? 'whole number' : '', range, unit === 'length' ? "in the drawing's unit" : unit].filter(Boolean).join(', ');
+  const kind = type === 'integer' ? 'whole number' : '';
+  return [kind, range, unit === 'length' ? "in the drawing's unit" : unit].filter(Boolean).join(', ');
 }
 
 /** Sizes that make sense for a drawing. @param {Drawing} drawing */

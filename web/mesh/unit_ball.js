@@ -16,11 +16,12 @@ export function unitBall(p, angle = 0, count = 96) {
 }
 
 const path = (/** @type {[number, number][]} */ points, /** @type {number} */ scale) =>
-  points.map(([x, y], i) => `${i === 0 ? 'M' : 'L'}${(scale * x).toFixed(2)} ${(-scale * y).toFixed(2)}`).join('') + 'Z';
+  `M${points.map(([x, y]) => `${(scale * x).toFixed(2)} ${(-scale * y).toFixed(2)}`).join('L')}Z`;
 
 /** A small one. @param {number} p */
 export function ballIcon(p) {
-  return s('svg', { viewBox: '-14 -14 28 28', class: 'ball', 'aria-hidden': 'true' }, s('path', { d: path(unitBall(p, turn), 10) }));
+  return s('svg', { viewBox: '-14 -14 28 28', class: 'ball', 'aria-hidden': 'true' },
+    s('path', { d: path(unitBall(p, turn), 10) }));
 }
 
 /** The ball with the cross that turns it, beside the circle of p = 2. */
@@ -34,7 +35,8 @@ export function createBall() {
     s('circle', { r: 24, class: 'ball-circle' }), ball, ...arms);
   const show = (/** @type {number} */ p) => {
     ball.setAttribute('d', path(unitBall(p, turn), 24));
-    element.setAttribute('aria-label', `Unit ball of the L_p norm for p = ${p}, turned to a cross: ${p === 2 ? 'a circle' : 'a rounded square'}`);
+    const shape = p === 2 ? 'a circle' : 'a rounded square';
+    element.setAttribute('aria-label', `Unit ball of the L_p norm for p = ${p}, turned to a cross: ${shape}`);
   };
   return { element, show };
 }

@@ -67,7 +67,8 @@ export function installFollowing(app, preview) {
   store.subscribe((project, before) => {
     const changed = !haveSameMesh(project, before);
     if (changed && store.gesture !== '') previewNow(project);
-    else if (changed || store.gesture === '') runInFull(project, project.preset !== '' && project.preset !== before.preset ? 'play' : 'end');
+    else if (changed || store.gesture === '')
+      runInFull(project, project.preset !== '' && project.preset !== before.preset ? 'play' : 'end');
     if (project.layers !== before.layers) void runner.refresh();
   });
   runner.subscribe(({ phase, frameOf }) => {

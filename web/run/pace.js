@@ -16,7 +16,8 @@ export function dwellOf({ stage, iteration, maxIterations }) {
 /** The time of the next picture. A page in the background gets none, but time goes on. */
 export function nextPicture() {
   return new Promise((resolve) => {
-    if (typeof requestAnimationFrame === 'function' && document.visibilityState === 'visible') requestAnimationFrame(resolve);
+    const seen = typeof requestAnimationFrame === 'function' && document.visibilityState === 'visible';
+    if (seen) requestAnimationFrame(resolve);
     else setTimeout(resolve, 16);
   });
 }

@@ -6,8 +6,10 @@
 /** @import { Progress, State } from 'lpquad' */
 /** @import { Project, Run } from '../types' */
 import { toCall } from '../state/project.js';
+import { remembered } from './history.js';
 import { neededFor } from './needed.js';
 import { nextPicture, Pace } from './pace.js';
+import { Workplace } from './workplace.js';
 
 /** @type {Run} */
 const nothing = {
@@ -22,16 +24,11 @@ const nothing = {
  */
 
 const chunk = 8;         // ticks between which a long way can be left
-const patience = 50;     // milliseconds a worker has to finish before it is ended
 const firstLook = 800;   // milliseconds on the way to the end before pictures are taken,
 const nextLook = 200;    // and between them
 
 export class Runner {
-  /** @type {() => Promise<LpquadWorker>} */
-  #createEngine;
-  /** @type {Promise<LpquadWorker> | undefined} */
-  #engine;
-  #ready = false;
+  #workplace;
   /** @type {WorkerSession | null} */
   #session = null;
   #reached = 0;      // ticks, by the session
@@ -43,8 +40,6 @@ export class Runner {
   #wish = { tick: null, going: '', look: false };
   /** @type {() => Promise<WorkerSession>} */
   #open = () => Promise.reject(new Error('Nothing to run.'));
-  /** @type {Promise<unknown>} */
-  #ending = Promise.resolve();  // of the worker of what was left
   #lookAt = 0;       // time of the next picture on the way to the end
   #pace;
   /** @type {Set<(run: Run) => void>} */
@@ -58,9 +53,12 @@ export class Runner {
   /** @type {() => Project['layers']} */
   wantedLayers = () => 'auto';
 
-  /** @param {() => Promise<LpquadWorker>} createEngine  @param {{pace?: Pace, picture?: () => Promise<unknown>}} [how] */
+  /**
+   * @param {() => Promise<LpquadWorker>} createEngine
+   * @param {{pace?: Pace, picture?: () => Promise<unknown>}} [how]
+   */
   constructor(createEngine, { pace = new Pace(), picture = nextPicture } = {}) {
-    this.#createEngine = createEngine;
+    this.#workplace = new Workplace(createEngine);
     this.#pace = pace;
     this.picture = picture;
   }
@@ -78,16 +76,7 @@ export class Runner {
   }
 
   /** The worker; after a failure, another one. */
-  engine() {
-    this.#engine ??= this.#createEngine().then((engine) => {
-      this.#ready = true;
-      return engine;
-    }, (cause) => {
-      this.#engine = undefined;
-      throw Object.assign(new Error(`The mesher could not be loaded: ${cause.message}.`, { cause }), { code: 'NOT_LOADED' });
-    });
-    return this.#engine;
-  }
+  engine() { return this.#workplace.engine(); }
 
   /** Under way, or about to be. */
   get going() { return this.#wish.going !== ''; }
@@ -106,7 +95,7 @@ export class Runner {
     this.#wish = { tick: null, going, look: going !== 'end' };
     this.#lookAt = this.#pace.now() + firstLook;
     const { frame, frameOf } = keep ? this.run : nothing;
-    this.#become({ ...nothing, phase: this.#ready ? 'starting' : 'loading', project, frame, frameOf });
+    this.#become({ ...nothing, phase: this.#workplace.ready ? 'starting' : 'loading', project, frame, frameOf });
     return this.#drive();
   }
 
@@ -134,17 +123,8 @@ export class Runner {
     this.#session = null;
     this.#driving = null;
     this.#wish = { tick: null, going: '', look: false };
-    if (driving) this.#ending = Promise.all([this.#ending, this.#endWorker(driving, session)]);
+    if (driving) this.#workplace.leave(driving, session);
     else session?.dispose?.().catch(() => {});
-  }
-
-  /** @param {Promise<void>} driving  @param {WorkerSession | null} session */
-  async #endWorker(driving, session) {
-    if (!this.#ready) return;
-    const engine = await this.engine();
-    const late = await Promise.race([driving.then(() => false), wait(patience).then(() => true)]);
-    if (late) engine.terminate();
-    else await session?.dispose?.().catch(() => {});
   }
 
   /** Stops at once and keeps what is on the screen. */
@@ -157,7 +137,7 @@ export class Runner {
   /** Forgets everything and ends the worker, for now. */
   close() {
     this.#abandon();
-    void this.#engine?.then((engine) => engine.terminate(), () => {});
+    this.#workplace.close();
     this.#open = () => Promise.reject(new Error('Nothing to run.'));
     this.#become({ ...nothing });
   }
@@ -186,7 +166,7 @@ export class Runner {
 
   /** @param {() => boolean} current */
   async #begin(current) {
-    await this.#ending;
+    await this.#workplace.free;
     if (!current()) return;
     const session = await this.#open();
     if (!current()) return void session.dispose?.().catch(() => {});
@@ -257,7 +237,8 @@ export class Runner {
   async #step(session, ticks, current) {
     // Not all of a state; 0 is what is not known.
     const onProgress = (/** @type {Progress & {tick: number}} */ progress) => {
-      if (current()) this.run = { ...this.run, history: remembered(this.run.history, { gradientNorm: 0, tau: 0, ...progress }) };
+      const state = { gradientNorm: 0, tau: 0, ...progress };
+      if (current()) this.run = { ...this.run, history: remembered(this.run.history, state) };
     };
     await session.step(ticks, { onProgress });
     if (current()) this.#reached = Math.max(this.#reached, session.state.tick);
@@ -268,7 +249,8 @@ export class Runner {
     return { state, history: remembered(this.run.history, state) };
   }
 
-  /** Takes what the layers need from the session as it stands. @param {WorkerSession} session  @param {() => boolean} current */
+  /** Takes what the layers need from the session as it stands.
+   * @param {WorkerSession} session  @param {() => boolean} current */
   async #look(session, current) {
     this.#wish.look = false;
     const { state } = session;
@@ -347,15 +329,4 @@ export class Runner {
 
   get #destined() { return this.#wish.tick ?? this.#session?.state.tick ?? this.run.state?.tick ?? 0; }
   get #atEnd() { return this.#wish.tick === null && this.run.state?.stage === 'done' && this.run.phase !== 'failed'; }
-}
-
-const wait = (/** @type {number} */ milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
-
-/** @param {State[]} history  @param {State} state  @returns {State[]} by tick, each once */
-function remembered(history, state) {
-  const last = history.at(-1);
-  if (last === undefined || last.tick < state.tick) return [...history, state];
-  const known = history.findIndex(({ tick }) => tick === state.tick);
-  if (known < 0) return [...history, state].sort((a, b) => a.tick - b.tick);
-  return history[known].tau !== 0 || state.tau === 0 ? history : history.with(known, state);
 }

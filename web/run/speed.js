@@ -17,8 +17,10 @@ function remembered() {
 /** @param {App} app  @returns {HTMLElement} */
 export function createSpeed(app) {
   const { actions, runner, announce } = app;
-  const select = h('select', { className: 'speed', 'aria-label': 'Speed', title: 'How fast the run plays', onchange: () => set(Number(select.value)) },
-    ...speeds.map((speed) => h('option', { value: String(speed) }, `${speed}×`)));
+  const select = h('select', {
+    className: 'speed', 'aria-label': 'Speed', title: 'How fast the run plays',
+    onchange: () => set(Number(select.value)),
+  }, ...speeds.map((speed) => h('option', { value: String(speed) }, `${speed}×`)));
 
   function set(/** @type {number} */ speed) {
     for (const led of [runner, ...app.led()]) led.speed = speed;
@@ -33,8 +35,10 @@ export function createSpeed(app) {
     announce(`Speed ${runner.speed}×`);
   }
   actions.add(
-    { id: 'run.slower', label: 'Slower', icon: 'speed', keys: ['<'], enabled: () => runner.speed > speeds[0], run: () => turn(-1) },
-    { id: 'run.faster', label: 'Faster', icon: 'speed', keys: ['>'], enabled: () => runner.speed < speeds[speeds.length - 1], run: () => turn(1) },
+    { id: 'run.slower', label: 'Slower', icon: 'speed', keys: ['<'],
+      enabled: () => runner.speed > speeds[0], run: () => turn(-1) },
+    { id: 'run.faster', label: 'Faster', icon: 'speed', keys: ['>'],
+      enabled: () => runner.speed < speeds[speeds.length - 1], run: () => turn(1) },
   );
   set(remembered());
   return select;

@@ -2,6 +2,7 @@
 // leads the run, or both runs of a comparison.
 /** @import { App } from '../app' */
 /** @import { Run } from '../types' */
+/** @import { Runner } from './runner.js' */
 import { h, setText } from '../panels/dom.js';
 import { haveSameMesh } from '../state/project.js';
 import { createSpeed } from './speed.js';
@@ -14,23 +15,36 @@ function leadOf(app) {
 
 /** @param {App} app */
 function addActions(app) {
-  const { actions } = app;
-  const lead = () => leadOf(app);
-  const each = (/** @type {(runner: App['runner']) => unknown} */ act) => app.led().forEach((runner) => void act(runner));
-  const can = () => lead().run.project !== null && lead().run.phase !== 'failed';
+  const { actions, runner: own, store } = app;
+  const each = (/** @type {(runner: Runner) => unknown} */ act) => app.led().forEach((runner) => void act(runner));
+  const lead = () => leadOf(app).run;
+  const can = () => lead().project !== null && lead().phase !== 'failed';
   const going = () => app.led().some((runner) => runner.going);
   const atEnd = () => app.led().every(({ run }) => run.phase === 'done');
-  const tick = () => lead().run.state?.tick ?? 0;
+  const tick = () => lead().state?.tick ?? 0;
+  const playOrPause = () => {
+    const [stop, again] = [going(), atEnd()];
+    each((runner) => (stop ? runner.pause() : (again || runner.run.phase !== 'done') && runner.play()));
+  };
+  const again = (/** @type {Runner} */ runner) => {
+    const project = runner === own ? store.project : runner.run.project;
+    return project && runner.load(project);
+  };
   actions.add(
-    { id: 'run.play', label: 'Play or pause', icon: () => (going() ? 'pause' : 'play'), keys: ['Space'], enabled: can, pressed: going,
-      run: () => each(going() ? (runner) => runner.pause() : atEnd() ? (runner) => runner.play() : (runner) => runner.run.phase !== 'done' && runner.play()) },
-    { id: 'run.back', label: 'One step back', icon: 'back', keys: [','], enabled: () => can() && tick() > 0, run: () => each((runner) => runner.back()) },
-    { id: 'run.step', label: 'One step', icon: 'step', keys: ['.'], enabled: () => can() && !atEnd(), run: () => each((runner) => runner.step()) },
-    { id: 'run.end', label: 'To the end', icon: 'end', keys: ['E'], enabled: () => can() && !atEnd(), run: () => each((runner) => runner.end()) },
-    { id: 'run.reset', label: 'Back to the start', icon: 'reset', keys: ['Shift+E'], enabled: can, run: () => each((runner) => runner.reset()) },
-    { id: 'run.cancel', label: 'Cancel', icon: 'cancel', keys: ['Escape'], enabled: () => app.led().some(({ busy }) => busy), run: () => each((runner) => runner.cancel()) },
-    { id: 'run.again', label: 'Run again', icon: 'again', keys: ['R'], enabled: () => app.problemsOf(app.store.project.drawing).length === 0,
-      run: () => each((runner) => runner.run.project && runner.load(runner === app.runner ? app.store.project : runner.run.project)) },
+    { id: 'run.play', label: 'Play or pause', icon: () => (going() ? 'pause' : 'play'), keys: ['Space'],
+      enabled: can, pressed: going, run: playOrPause },
+    { id: 'run.back', label: 'One step back', icon: 'back', keys: [','],
+      enabled: () => can() && tick() > 0, run: () => each((runner) => runner.back()) },
+    { id: 'run.step', label: 'One step', icon: 'step', keys: ['.'],
+      enabled: () => can() && !atEnd(), run: () => each((runner) => runner.step()) },
+    { id: 'run.end', label: 'To the end', icon: 'end', keys: ['E'],
+      enabled: () => can() && !atEnd(), run: () => each((runner) => runner.end()) },
+    { id: 'run.reset', label: 'Back to the start', icon: 'reset', keys: ['Shift+E'],
+      enabled: can, run: () => each((runner) => runner.reset()) },
+    { id: 'run.cancel', label: 'Cancel', icon: 'cancel', keys: ['Escape'],
+      enabled: () => app.led().some(({ busy }) => busy), run: () => each((runner) => runner.cancel()) },
+    { id: 'run.again', label: 'Run again', icon: 'again', keys: ['R'],
+      enabled: () => app.problemsOf(store.project.drawing).length === 0, run: () => each(again) },
   );
 }
 

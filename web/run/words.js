@@ -32,6 +32,7 @@ export function expectedTicks({ history, result }) {
   const last = history.at(-1);
   if (last === undefined) return 0;
   if (result || last.stage === 'done') return last.tick;
-  const after = { seeds: last.maxIterations + 5, optimise: last.maxIterations - last.iteration + 5, match: 4, clean: 3, patch: 3, smooth: 2, check: 1 };
+  const left = last.maxIterations - last.iteration + 5;
+  const after = { seeds: left, optimise: left, match: 4, clean: 3, patch: 3, smooth: 2, check: 1 };
   return last.tick + Math.max(1, after[last.stage]);
 }
