@@ -62,12 +62,12 @@ test('arrow keys go along the curve, and the text says where', async () => {
 
 test('histograms have their numbers as tables', async () => {
   const report = await page.evaluate(() => globalThis.playground.runner.run.result.report.quality);
-  await page.locator('.as-table summary').nth(0).click();
-  const counts = await page.locator('.as-table').nth(0).locator('td').allTextContents();
-  assert.deepEqual(counts.map(Number), report.etaHistogram);
-  await page.locator('.as-table summary').nth(1).click();
-  const valences = await page.locator('.as-table').nth(1).locator('td').allTextContents();
-  assert.deepEqual(valences.map(Number), report.valenceHistogram.slice(2));
+  for (const [i, numbers] of [report.etaHistogram, report.valenceHistogram.slice(2)].entries()) {
+    const table = page.locator('.as-table').nth(i);
+    await table.locator('summary').click();
+    await table.locator('td').first().waitFor();
+    assert.deepEqual((await table.locator('td').allTextContents()).map(Number), numbers);
+  }
 });
 
 test('numbers of another drawing are said to be out of date', async () => {
