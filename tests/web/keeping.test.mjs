@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { presets } from '../../web/sketch/presets.js';
 import { toFragment } from '../../web/state/link.js';
-import { readProject } from '../../web/state/project_file.js';
+import { projectText, readProject } from '../../web/state/project_file.js';
 import { emptyProject } from '../../web/state/project.js';
 import { finished, startPlayground } from './support.mjs';
 
@@ -99,6 +99,20 @@ test('sharing copies a link, and offers a file where a link would be too long', 
   assert.equal(file.suggestedFilename(), 'ring.lpquad.json');
   const { readFileSync } = await import('node:fs');
   assert.deepStrictEqual(readProject(readFileSync(await file.path(), 'utf8')), large);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('a saved project opens like any file, and a damaged one is refused in words', async () => {
+  const page = await playground.open();
+  await finished(page);
+  const open = (name, text) => page.locator('input[aria-label="Files to open"]').setInputFiles({ name, mimeType: 'application/json', buffer: Buffer.from(text) });
+  await open('mine.lpquad.json', projectText({ ...small, preset: '', name: 'mine' }));
+  await page.locator('.stage-name', { hasText: 'done: 25 quads' }).waitFor();
+  assert.equal(await page.locator('#project-name').textContent(), 'mine');
+  await open('bad.lpquad.json', '{"lpquadProject": 1, "drawing": {"regions": 7}}');
+  await page.locator('.notice', { hasText: 'bad.lpquad.json could not be opened' }).waitFor();
+  assert.equal(await page.locator('#project-name').textContent(), 'mine');
   assert.deepEqual(page.errors, []);
   await page.context().close();
 });

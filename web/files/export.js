@@ -22,7 +22,7 @@ export function createExport(app, { meshFormats, writeOptions }) {
     reason.hidden = why === '';
     for (const { button } of rows) button.setAttribute('aria-disabled', String(mesh === null));
   };
-  return { element: h('section', null, h('h3', null, 'Mesh'), reason, h('ul', { className: 'formats' }, ...rows.map(({ row }) => row))), refresh };
+  return { element: h('section', null, h('h2', null, 'Mesh'), reason, h('ul', { className: 'formats' }, ...rows.map(({ row }) => row))), refresh };
 }
 
 /** @param {App} app  @param {MeshFormat} format  @param {OptionInfo[]} options */

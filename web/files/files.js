@@ -9,10 +9,10 @@ import { createPictures } from './pictures.js';
 export function installFiles(app) {
   const { actions, runner, store, tabs } = app;
   const pictures = createPictures(app);
-  const project = h('section', null, h('h3', null, 'Project'),
+  const project = h('section', null, h('h2', null, 'Project'),
     h('p', { className: 'quiet' }, 'Drawing, options and layers, to open again or to pass on.'),
     h('div', { className: 'buttons' }, actions.button('file.open', { labelled: true }), actions.button('file.save', { labelled: true }), actions.button('page.share', { labelled: true })));
-  const native = h('section', null, h('h3', null, 'A native run'),
+  const native = h('section', null, h('h2', null, 'A native run'),
     h('p', { className: 'quiet' }, 'The folder that lpquad mesh … --stages DIR wrote, to step through.'),
     h('div', { className: 'buttons' }, actions.button('file.stages', { labelled: true })));
   const body = tabs.add('files', 'Files', pictures.element, project);

@@ -14,7 +14,7 @@ export function createPictures(app) {
     { id: 'file.report', label: 'Report of the run (.json)', icon: 'chart', enabled: has, run: () => saveReport(app) },
   );
   const fingerprint = h('output', { className: 'fingerprint', 'aria-label': 'Fingerprint of the mesh' });
-  const element = h('section', null, h('h3', null, 'Pictures and figures'),
+  const element = h('section', null, h('h2', null, 'Pictures and figures'),
     h('div', { className: 'buttons' }, actions.button('file.report', { labelled: true })),
     h('p', { className: 'quiet', title: 'Equal meshes have equal fingerprints, on every machine.' }, 'Fingerprint ', fingerprint));
   const refresh = () => { fingerprint.textContent = currentMesh(app).mesh?.report.hash ?? 'of no mesh yet'; };

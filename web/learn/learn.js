@@ -41,7 +41,7 @@ export function installLearn(app) {
     { id: 'learn.watch', label: 'Watch it happen', icon: 'play', enabled: () => at >= 0, run: () => void runner.seek(0).then(() => runner.play()) },
   );
   page.append(
-    h('h3', null, 'From an outline to quads, in seven steps'),
+    h('h2', null, 'From an outline to quads, in seven steps'),
     h('p', null, 'A short tour for those who have never meshed anything. Every step has a figure that you can play, change and undo; your drawing comes back with Undo.'),
     h('div', { className: 'buttons' }, actions.button('learn.next', { text: 'Start the tour', className: 'primary' })));
 
@@ -59,7 +59,7 @@ function pageOf({ title, text, formula, spoken, source }, k, { actions }) {
   math.innerHTML = `<math display="block" aria-label="${spoken}">${calm}</math>`;  // ours, from chapters.js
   return [
     h('p', { className: 'quiet' }, `${k + 1} of ${chapters.length}`),
-    h('h3', null, title),
+    h('h2', null, title),
     h('p', null, text.replace(/\s+/g, ' ')),
     h('figure', null, math, h('figcaption', null, source)),
     h('div', { className: 'buttons' }, actions.button('learn.previous'), actions.button('learn.next', { labelled: true, className: 'primary' }),

@@ -34,7 +34,7 @@ export function createCode(app, known) {
     app.notify(done ? `The ${languages[language.value].title} code is copied.` : 'This browser does not let the page copy. The code is selected: copy it with Ctrl+C.');
   };
   app.actions.add({ id: 'file.code', label: 'Copy as code', icon: 'copy', run: () => void copyAll() });
-  const element = h('section', null, h('h3', null, 'As code'),
+  const element = h('section', null, h('h2', null, 'As code'),
     h('p', { className: 'quiet' }, 'Makes the same mesh, bit for bit.'),
     h('div', { className: 'buttons' }, language, app.actions.button('file.code', { labelled: true })), view);
   return { element, refresh };
