@@ -51,7 +51,7 @@ const best = (changes, otherwise) =>
 /** Without the one vertex that helps most. @param {Problem} problem  @returns {(drawing: Drawing) => Drawing} */
 const removeBest = (problem) => (drawing) => {
   const meeting = meetingOf(problem, drawing);
-  const places = meeting ? [meeting.one, meeting.two].flatMap((edge) => [endOf(drawing, edge), startOf(edge)])
+  const places = meeting ? [...model.placesAt(drawing, meeting.at), ...[meeting.one, meeting.two].flatMap((edge) => [endOf(drawing, edge), startOf(edge)])]
     : [vertexIn(problem, drawing)].filter((place) => place !== null);
   return best(places.map((place) => model.removeVertex(drawing, place)), drawing);
 };
@@ -188,6 +188,7 @@ const fixes = {
   PARSE_ERROR: () => [open],
   BAD_OPTION: () => [
     { label: 'Use the default options', change: ({ options: { size = 0 } }) => ({ options: size > 0 ? { size } : {} }) },
+    { label: 'Forget the guides', change: ({ guides }) => ({ guides: guides.length > 0 ? [] : guides }) },
     { label: 'Forget the edge names', change: (project) => withDrawing(project, model.withoutTags(project.drawing)) },
   ],
   NON_FINITE: () => [{ label: 'Remove what is not a number', change: withoutBadNumbers }],
@@ -204,7 +205,12 @@ const fixes = {
       same ? redraw('Untangle', untangle(problem)) : redraw('Remove the smaller outline', removeLesser(problem)), undo];
   },
   OVERLAPPING_EDGES: (problem) => [redraw('Remove this vertex', removeBest(problem)), redraw('Remove the smaller outline', removeLesser(problem)), undo],
-  TOUCHING: (problem) => [redraw('Move it away', moveAway(problem)), redraw('Join them there', joinThere(problem)), redraw('Remove this vertex', removeBest(problem)), undo],
+  TOUCHING: (problem, { drawing }) => {
+    const { one, two } = meetingOf(problem, drawing) ?? {};
+    const apart = one && two && one.region === two.region && one.region >= 0;  // loops of a region never touch
+    return [...(apart ? [] : [redraw('Join them there', joinThere(problem))]),
+      redraw('Move it away', moveAway(problem)), redraw('Remove this vertex', removeBest(problem)), undo];
+  },
   HOLE_OUTSIDE: (problem) => [redraw('Make it a region of its own', separate(problem)), redraw('Remove it', removeNamed(problem)),
     { label: 'Forget the given start', change: ({ seedPoints }) => ({ seedPoints: seedPoints.length > 0 ? [] : seedPoints }) }],
   NESTED_OR_DUPLICATE_HOLE: (problem) => [redraw('Make it a region of its own', separate(problem)), redraw('Remove it', removeNamed(problem))],
@@ -231,22 +237,33 @@ function matters(project, change) {
   return Object.keys(wanted).some((key) => key !== 'preset' && differs(key));
 }
 
+/** Names only what is there. @param {Problem} problem  @param {Drawing} drawing  @returns {Problem} */
+function sound(problem, drawing) {
+  const at = given(problem), path = pathIn(problem);
+  const { edge, region } = problem.where;
+  const size = path ? model.pathOf(drawing, path).length : 0;
+  return { ...problem, where: {
+    ...(region !== undefined && region < drawing.regions.length && { region }),
+    ...(size > 0 && { loop: path?.loop }),
+    ...(edge !== undefined && edge < size && { edge }),
+    ...(at?.every(Number.isFinite) && { x: at[0], y: at[1] }),
+  } };
+}
+
 /** What can be done, at least one thing; nothing that would change nothing. @param {Problem} problem  @param {Project} project  @returns {Fix[]} */
 export function fixesFor(problem, project) {
-  const all = (fixes[problem.code] ?? (() => [again]))(problem, project);
+  const all = (fixes[problem.code] ?? (() => [again]))(sound(problem, project.drawing), project);
   const useful = all.filter((fix) => !('change' in fix) || matters(project, fix.change(project)));
   return useful.length > 0 ? useful : [undo, again];
 }
 
 /** Where to look: the place of the error, or what its fix would touch. @param {Problem} problem  @param {Project} project  @returns {Point | null} */
 export function placeOf(problem, { drawing }) {
-  const at = given(problem);
-  if (at) return at.every(Number.isFinite) ? at : null;
-  const { region, edge } = problem.where, path = pathIn(problem);
-  if (problem.code === 'ODD_BOUNDARY') {
-    const longest = model.longestEdge(drawing, region ?? 0);
-    return longest && model.middleOf(drawing, longest);
-  }
-  if (path && edge !== undefined) return model.pathOf(drawing, path).length > 0 ? model.middleOf(drawing, { ...path, vertex: edge }) : null;
-  return path ? model.pathOf(drawing, path)[0] ?? null : null;
+  const known = sound(problem, drawing);
+  const at = given(known), path = pathIn(known), { region, edge } = known.where;
+  if (at) return at;
+  const shown = problem.code === 'ODD_BOUNDARY' ? model.longestEdge(drawing, region ?? 0)
+    : path && edge !== undefined ? { ...path, vertex: edge } : null;
+  const middle = shown ? model.middleOf(drawing, shown) : path && model.pathOf(drawing, path)[0];
+  return middle?.every(Number.isFinite) ? middle : null;
 }

@@ -63,7 +63,8 @@ export function withTag(drawing, { region, loop, vertex }, tag) {
 }
 
 /** @param {Drawing} drawing  @returns {Drawing} */
-export const withoutTags = (drawing) => ({ ...drawing, regions: drawing.regions.map(({ name, loops }) => ({ name, loops })) });
+export const withoutTags = (drawing) => drawing.regions.every(({ tags }) => tags === undefined) ? drawing
+  : { ...drawing, regions: drawing.regions.map(({ name, loops }) => ({ name, loops })) };
 
 /** @param {Point[]} loop */
 export const extentOf = (loop) => Math.abs(signedArea(loop));
@@ -188,6 +189,7 @@ export function removePath(drawing, { region, loop }) {
   if (region === lineRegion) return { ...drawing, polylines: drawing.polylines.toSpliced(loop, 1) };
   if (region === pointRegion) return { ...drawing, points: drawing.points.toSpliced(loop, 1) };
   const old = drawing.regions[region];
+  if (!old) return drawing;
   if (outlineOf(old) === loop) return removeRegion(drawing, region);
   return { ...drawing, regions: drawing.regions.with(region, withLoops(old, (_, i) => i !== loop)) };
 }
@@ -230,7 +232,8 @@ export function addLoop(drawing, loop) {
 
 /** Takes a loop out of its region and makes it one of its own. @param {Drawing} drawing  @param {{region: number, loop: number}} place  @returns {Drawing} */
 export function makeRegion(drawing, { region, loop }) {
-  const { loops, tags } = drawing.regions[region];
+  const { loops, tags } = drawing.regions[region] ?? { loops: [] };
+  if (loops.length < 2 || !loops[loop]) return drawing;
   const own = { name: '', loops: [loops[loop]], ...(tags && { tags: [tags[loop]] }) };
   const rest = withLoops(drawing.regions[region], (_, i) => i !== loop);
   return addRegion({ ...drawing, regions: drawing.regions.with(region, rest) }, own);

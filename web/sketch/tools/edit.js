@@ -118,7 +118,7 @@ export function editTool(sketch) {
   /** @param {KeyboardEvent} event */
   function key(event) {
     const name = event.key.length === 1 ? event.key.toUpperCase() : event.key;
-    if (event.ctrlKey || event.metaKey) return false;
+    if (event.ctrlKey || event.metaKey || (event.shiftKey && name.length === 1)) return false;
     if (name === 'N' || name === 'P') sketch.selectNext(name === 'N' ? 1 : -1);
     else if (name.startsWith('Arrow')) return arrow(name, event);
     else if (sketch.selected === null) return false;
