@@ -1,6 +1,6 @@
 // A pen on a canvas that puts polygons and lines in bulk into a bitmap of its own, and everything
 // else onto the canvas as usual. What comes later lies above.
-/** @import { Pen } from '../types' */
+/** @import { Bulk, Pen } from '../types' */
 import { Raster } from './raster.js';
 
 /** @typedef {CanvasRenderingContext2D} Context */
@@ -21,7 +21,10 @@ export class BitmapPen {
     this.pen = this.#equip(this.context);
   }
 
-  /** A clean sheet of this size in CSS pixels, with so many pixels each. @param {number} width @param {number} height @param {number} ratio */
+  /**
+   * A clean sheet of this size in CSS pixels, with so many pixels each.
+   * @param {number} width  @param {number} height  @param {number} ratio
+   */
   begin(width, height, ratio) {
     const across = Math.max(1, Math.round(width * ratio)), down = Math.max(1, Math.round(height * ratio));
     this.ratio = ratio;
@@ -60,17 +63,17 @@ export class BitmapPen {
       };
     }
     return Object.assign(context, {
-      fillPolygon: (/** @type {Float64Array} */ corners, /** @type {number} */ count, /** @type {number} */ rgba) => {
+      fillPolygon: /** @type {Bulk['fillPolygon']} */ ((corners, count, rgba) => {
         this.#used = true;
         if (2 * count > this.#scaled.length) this.#scaled = new Float64Array(4 * count);
         for (let i = 0; i < 2 * count; ++i) this.#scaled[i] = this.ratio * corners[i];
         this.#raster.fillPolygon(this.#scaled, count, rgba);
-      },
-      strokeLine: (/** @type {number} */ x0, /** @type {number} */ y0, /** @type {number} */ x1, /** @type {number} */ y1, /** @type {number} */ width, /** @type {number} */ rgba) => {
+      }),
+      strokeLine: /** @type {Bulk['strokeLine']} */ ((x0, y0, x1, y1, width, rgba) => {
         this.#used = true;
         const r = this.ratio;
         this.#raster.strokeLine(r * x0, r * y0, r * x1, r * y1, r * width, rgba);
-      },
+      }),
     });
   }
 }

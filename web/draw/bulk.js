@@ -4,6 +4,9 @@ import { once } from './once.js';
 import { packedOf } from './palette.js';
 import { strides } from './topology.js';
 
+/** @typedef {import('./grid.js').Rows} Rows */
+/** @typedef {(x0: number, y0: number, x1: number, y1: number) => void} Line */
+
 const linesPerStroke = 50;    // measured best
 const linesPerRest = 4000;    // a few milliseconds
 const polygonsPerRest = 2000;
@@ -44,7 +47,7 @@ let numbers = strides(1000, 1);
 function inBulk(pen) {
   const rgba = packedOf(String(pen.strokeStyle)), width = pen.lineWidth;
   return {
-    line: (/** @type {number} */ x0, /** @type {number} */ y0, /** @type {number} */ x1, /** @type {number} */ y1) => pen.strokeLine?.(x0, y0, x1, y1, width, rgba),
+    line: /** @type {Line} */ ((x0, y0, x1, y1) => pen.strokeLine?.(x0, y0, x1, y1, width, rgba)),
     end: () => {},
   };
 }
@@ -54,12 +57,12 @@ function inPaths(pen) {
   let open = 0;
   const end = () => { if (open > 0) pen.stroke(); open = 0; };
   return {
-    line: (/** @type {number} */ x0, /** @type {number} */ y0, /** @type {number} */ x1, /** @type {number} */ y1) => {
+    line: /** @type {Line} */ ((x0, y0, x1, y1) => {
       if (open++ === 0) pen.beginPath();
       pen.moveTo(x0, y0);
       pen.lineTo(x1, y1);
       if (open === linesPerStroke) end();
-    },
+    }),
     end,
   };
 }
@@ -69,8 +72,7 @@ let corners = new Float64Array(64);
 
 /**
  * Polygons, each in one of the shades; what is out of sight is left out.
- * @param {Pen} pen  @param {{points: ArrayLike<number>, vertices: ArrayLike<number> | null, offsets: ArrayLike<number>}} rows
- *   polygon i has the points vertices[offsets[i]] … (null: the points themselves)
+ * @param {Pen} pen  @param {Rows} rows
  * @param {(polygon: number) => number} shade  number of a shade; below 0: none
  * @param {{css: ArrayLike<string>, rgba: ArrayLike<number>}} shades  @param {View} view
  */
@@ -106,7 +108,11 @@ function fillCorners(pen, count, css, rgba) {
   pen.fill();
 }
 
-/** Rows of faces with so many corners each. @param {ArrayLike<number>} points  @param {Uint32Array} faces  @param {number} corners */
+/**
+ * Rows of faces with so many corners each.
+ * @param {ArrayLike<number>} points  @param {Uint32Array} faces  @param {number} corners
+ */
 export function rowsOf(points, faces, corners) {
-  return { points, vertices: faces, offsets: once(faces, `offsets ${corners}`, () => strides(faces.length / corners, corners)) };
+  const offsets = once(faces, `offsets ${corners}`, () => strides(faces.length / corners, corners));
+  return { points, vertices: faces, offsets };
 }

@@ -6,19 +6,22 @@ const trianglesPerRest = 3000;
 
 /**
  * Between k and k + 1 lies band k, 0 to bandCount - 1; lines separate the bands. Rests now and then.
- * @param {ArrayLike<number>} points  @param {Uint32Array} triangles  @param {ArrayLike<number>} heights  @param {number} bandCount
+ * @param {ArrayLike<number>} points  @param {Uint32Array} triangles
+ * @param {ArrayLike<number>} heights  @param {number} bandCount
  */
 export function* contours(points, triangles, heights, bandCount) {
   const out = new Pieces();
   const bandOf = (/** @type {number} */ height) => Math.max(0, Math.min(bandCount - 1, height));
   for (let t = 0; t < triangles.length; t += 3) {
     if (t % (3 * trianglesPerRest) === 0) yield;
-    const a = triangles[t], b = triangles[t + 1], c = triangles[t + 2], ha = heights[a], hb = heights[b], hc = heights[c];
+    const a = triangles[t], b = triangles[t + 1], c = triangles[t + 2];
+    const ha = heights[a], hb = heights[b], hc = heights[c];
     const first = bandOf(Math.floor(Math.min(ha, hb, hc)));
     const last = Math.max(first, bandOf(Math.ceil(Math.max(ha, hb, hc)) - 1));
     if (first === last) out.addWhole(points, a, b, c, first);
     else {
-      const corner = (/** @type {number} */ v) => /** @type {Corner} */ ([points[2 * v], points[2 * v + 1], heights[v]]);
+      /** @type {(v: number) => Corner} */
+      const corner = (v) => [points[2 * v], points[2 * v + 1], heights[v]];
       cut([corner(a), corner(b), corner(c)], first, last, out);
     }
   }
@@ -42,22 +45,30 @@ class Pieces {
     this.band.push(band);
   }
 
-  /** @param {ArrayLike<number>} points  @param {number} a  @param {number} b  @param {number} c  @param {number} band */
+  /**
+   * @param {ArrayLike<number>} points  @param {number} a  @param {number} b  @param {number} c  @param {number} band
+   */
   addWhole(points, a, b, c, band) {
-    this.points.push(points[2 * a], points[2 * a + 1], points[2 * b], points[2 * b + 1], points[2 * c], points[2 * c + 1]);
+    for (const v of [a, b, c]) this.points.push(points[2 * v], points[2 * v + 1]);
     this.offsets.push(this.points.length / 2);
     this.band.push(band);
   }
 
   arrays() {
     return {
-      bands: { points: Float64Array.from(this.points), offsets: Uint32Array.from(this.offsets), band: Uint8Array.from(this.band) },
+      bands: {
+        points: Float64Array.from(this.points), offsets: Uint32Array.from(this.offsets),
+        band: Uint8Array.from(this.band),
+      },
       lines: Float64Array.from(this.lines),
     };
   }
 }
 
-/** @param {Corner[]} triangle  @param {number} first  @param {number} last  bands it has a part in  @param {Pieces} out */
+/**
+ * @param {Corner[]} triangle  @param {number} first  @param {number} last  bands it has a part in
+ * @param {Pieces} out
+ */
 function cut(triangle, first, last, out) {
   let rest = triangle;
   for (let k = first; k < last; ++k) {
@@ -70,7 +81,10 @@ function cut(triangle, first, last, out) {
   if (rest.length > 2) out.add(rest, last);
 }
 
-/** The part of a polygon above (side 1) or below (-1) a height. @param {Corner[]} polygon  @param {number} level  @param {1 | -1} side */
+/**
+ * The part of a polygon above (side 1) or below (-1) a height.
+ * @param {Corner[]} polygon  @param {number} level  @param {1 | -1} side
+ */
 function clip(polygon, level, side) {
   /** @type {Corner[]} */
   const kept = [];

@@ -6,7 +6,11 @@ import { relativeDensity } from './layers/cells.js';
 import { short } from './legend.js';
 import { axisAt, sizesAt, weightsAt } from './sampler.js';
 
-/** @typedef {{title: string, rows: [string, string][]}} Description */
+/** @typedef {[name: string, value: string]} Row */
+/** @typedef {{title: string, rows: Row[]}} Description */
+
+/** A row, unless there is nothing to tell. @param {string} name  @param {string | undefined} value  @returns {Row[]} */
+const maybe = (name, value) => (value === undefined ? [] : [[name, value]]);
 
 /** @param {Scene} scene  @param {Element} element  @returns {Description | null} */
 export function describe(scene, element) {
@@ -50,7 +54,11 @@ function targetAt({ frame }, at) {
   return frame?.sizes?.sizes.length ? sizesAt(frame.sizes)(...at) : undefined;
 }
 
-/** Angles and sides. @param {Scene} scene  @param {'quad' | 'left-over' | 'pair' | 'triangle'} kind  @param {number} index  @returns {[string, string][]} */
+/**
+ * Angles and sides.
+ * @param {Scene} scene  @param {'quad' | 'left-over' | 'pair' | 'triangle'} kind  @param {number} index
+ * @returns {Row[]}
+ */
 function faceRows(scene, kind, index) {
   const rows = rowsOfKind(scene, kind);
   if (!rows) return [];
@@ -62,13 +70,13 @@ function faceRows(scene, kind, index) {
 function describeQuad(scene, index) {
   const layer = scene.frame?.quads, rows = rowsOfKind(scene, 'quad');
   if (!layer || !rows) return null;
-  const target = targetAt(scene, middleOfFace(rows, index));
+  const target = targetAt(scene, middleOfFace(rows, index)), size = Math.sqrt(Math.abs(areaOfFace(rows, index)));
   const corners = layer.quads.subarray(4 * index, 4 * index + 4);
   return {
     title: `Quad ${index}`,
     rows: [
       ['η', layer.eta[index].toFixed(4)], ...faceRows(scene, 'quad', index),
-      ...target === undefined ? [] : [/** @type {[string, string]} */ (['size / wanted', short(Math.sqrt(Math.abs(areaOfFace(rows, index))) / target)])],
+      ...maybe('size / wanted', target === undefined ? undefined : short(size / target)),
       ['valences', [...corners].map((v) => layer.valence[v]).join('  ')],
     ],
   };
@@ -77,10 +85,11 @@ function describeQuad(scene, index) {
 /** @param {Scene} scene  @param {number} index  @returns {Description | null} */
 function describePair(scene, index) {
   const layer = scene.frame?.matching;
-  return layer ? { title: `Triangle ${index}`, rows: [...partnerRows(layer, index), ...faceRows(scene, 'pair', index)] } : null;
+  if (!layer) return null;
+  return { title: `Triangle ${index}`, rows: [...partnerRows(layer, index), ...faceRows(scene, 'pair', index)] };
 }
 
-/** @param {NonNullable<Snapshot['matching']>} layer  @param {number} index  @returns {[string, string][]} */
+/** @param {NonNullable<Snapshot['matching']>} layer  @param {number} index  @returns {Row[]} */
 function partnerRows({ mates, extra, costs }, index) {
   if (mates[index] < 0) return [['partner', 'none: left over']];
   return [
@@ -94,7 +103,8 @@ function describeTriangle(scene, index) {
   const { triangles, matching } = scene.frame ?? {};
   if (!triangles) return null;
   const matched = matching?.triangles.length === triangles.triangles.length ? matching : undefined;
-  return { title: `Triangle ${index}`, rows: [...matched ? partnerRows(matched, index) : [], ...faceRows(scene, 'triangle', index)] };
+  const partner = matched ? partnerRows(matched, index) : [];
+  return { title: `Triangle ${index}`, rows: [...partner, ...faceRows(scene, 'triangle', index)] };
 }
 
 /** @param {Scene} scene  @param {number} piece  @returns {Description | null} */
@@ -123,7 +133,8 @@ function describeVertex(scene, index) {
   return {
     title: `Vertex ${index}`,
     rows: [
-      ['valence', `${layer.valence[index]}, ${regular}`], ['at', placed([layer.points[2 * index], layer.points[2 * index + 1]])],
+      ['valence', `${layer.valence[index]}, ${regular}`],
+      ['at', placed([layer.points[2 * index], layer.points[2 * index + 1]])],
       ['lies', index < layer.boundaryNodes ? 'on the boundary' : 'inside'],
     ],
   };
@@ -154,14 +165,15 @@ function describeEdge({ drawing }, { region, loop, index }) {
   };
 }
 
-/** @param {Scene} scene  @param {Point} at  @returns {[string, string][]} */
+/** @param {Scene} scene  @param {Point} at  @returns {Row[]} */
 function fieldRows(scene, at) {
   const { crosses, sizes } = scene.frame ?? {};
   const target = targetAt(scene, at);
-  const weights = sizes?.triangles.length && crosses?.points.length === sizes.points.length ? weightsAt(sizes)(...at) : null;
+  const together = sizes?.triangles.length && crosses?.points.length === sizes.points.length;
+  const weights = together ? weightsAt(sizes)(...at) : null;
   const axis = crosses && weights && axisAt(crosses.axes, weights);
   return [
-    ...target === undefined ? [] : [/** @type {[string, string]} */ (['wanted size', short(target)])],
-    ...axis ? [/** @type {[string, string]} */ (['direction', degrees(Math.atan2(axis[1], axis[0])) + ' and across'])] : [],
+    ...maybe('wanted size', target === undefined ? undefined : short(target)),
+    ...maybe('direction', axis ? `${degrees(Math.atan2(axis[1], axis[0]))} and across` : undefined),
   ];
 }

@@ -24,7 +24,10 @@ const layers = [
   ['valence', drawValence],
 ];
 
-/** Draws in portions of a few milliseconds: a rest at every `yield`. @param {Pen} pen  @param {Scene} scene  @param {View} view */
+/**
+ * Draws in portions of a few milliseconds: a rest at every `yield`.
+ * @param {Pen} pen  @param {Scene} scene  @param {View} view
+ */
 export function* drawing(pen, scene, view) {
   const shown = layers.filter(([name]) => scene.layers.has(name));
   if (scene.freshness === 'preview' || scene.freshness === 'old') {  // not the drawing's own: pale

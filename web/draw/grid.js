@@ -1,6 +1,11 @@
 // Which of many polygons lie at a point: squares over all of them, each with the polygons whose
 // boxes touch it. Built in a few milliseconds for 20 000.
-/** @typedef {{points: ArrayLike<number>, vertices: ArrayLike<number> | null, offsets: ArrayLike<number>}} Rows */
+
+/**
+ * Polygon i has the points vertices[offsets[i]] … vertices[offsets[i + 1] - 1]; null: the points
+ * themselves, in their order.
+ * @typedef {{points: ArrayLike<number>, vertices: ArrayLike<number> | null, offsets: ArrayLike<number>}} Rows
+ */
 
 export class Grid {
   /** @param {Rows} rows */
@@ -36,8 +41,13 @@ export class Grid {
     this.held = held;
   }
 
-  column(/** @type {number} */ x) { return Math.max(0, Math.min(this.across - 1, Math.floor((x - this.left) / this.size))); }
-  row(/** @type {number} */ y) { return Math.max(0, Math.min(this.down - 1, Math.floor((y - this.bottom) / this.size))); }
+  column(/** @type {number} */ x) {
+    return Math.max(0, Math.min(this.across - 1, Math.floor((x - this.left) / this.size)));
+  }
+
+  row(/** @type {number} */ y) {
+    return Math.max(0, Math.min(this.down - 1, Math.floor((y - this.bottom) / this.size)));
+  }
 
   /** The polygon that holds the point, or -1. @param {number} x  @param {number} y */
   at(x, y) {

@@ -3,7 +3,7 @@
 /** @import { LayerName, Point, Scene, Snapshot } from '../types' */
 import { rowsOf } from './bulk.js';
 import { Grid } from './grid.js';
-import { areaOf, middleOf } from './layers/cells.js';
+import { areaOf, middleOf, rowsOfCells } from './layers/cells.js';
 import { quadLength } from './layers/quads.js';
 import { once } from './once.js';
 
@@ -18,7 +18,10 @@ import { once } from './once.js';
 /** Pixels. */
 const near = { mark: 9, vertex: 7, edge: 5, roomForVertices: 22 };
 
-/** What is at a point of the world: marks first, then lines, then faces; only of layers that are shown. @param {Scene} scene @param {Point} at @param {number} pixel @returns {Element | null} */
+/**
+ * What is at a point of the world: marks first, then lines, then faces; only of layers that are shown.
+ * @param {Scene} scene  @param {Point} at  @param {number} pixel  @returns {Element | null}
+ */
 export function elementAt(scene, at, pixel) {
   return singularityAt(scene, at, near.mark * pixel)
     ?? irregularAt(scene, at, near.mark * pixel)
@@ -28,22 +31,30 @@ export function elementAt(scene, at, pixel) {
     ?? placeAt(scene, at);
 }
 
-/** Faces of the layers that are shown, those drawn last first. @param {Scene} scene  @returns {{kind: FaceKind, rows: Rows}[]} */
+/**
+ * Faces of the layers that are shown, those drawn last first.
+ * @param {Scene} scene  @returns {{kind: FaceKind, rows: Rows}[]}
+ */
 function facesOf({ frame, layers }) {
   /** @type {{kind: FaceKind, rows: Rows}[]} */
   const faces = [];
   const shows = (/** @type {LayerName[]} */ ...names) => names.some((name) => layers.has(name));
-  if (frame?.quads && shows('quads', 'quality', 'valence')) {
-    faces.push({ kind: 'quad', rows: rowsOf(frame.quads.points, frame.quads.quads, 4) });
-    faces.push({ kind: 'left-over', rows: rowsOf(frame.quads.points, frame.quads.triangles, 3) });
+  const { quads, matching, cells, triangles } = frame ?? {};
+  if (quads && shows('quads', 'quality', 'valence')) {
+    faces.push({ kind: 'quad', rows: rowsOf(quads.points, quads.quads, 4) });
+    faces.push({ kind: 'left-over', rows: rowsOf(quads.points, quads.triangles, 3) });
   }
-  if (frame?.matching && shows('matching')) faces.push({ kind: 'pair', rows: rowsOf(frame.matching.points, frame.matching.triangles, 3) });
-  if (frame?.cells && shows('cells', 'density')) faces.push({ kind: 'cell', rows: { points: frame.cells.points, vertices: null, offsets: frame.cells.offsets } });
-  if (frame?.triangles && shows('triangles')) faces.push({ kind: 'triangle', rows: rowsOf(frame.triangles.points, frame.triangles.triangles, 3) });
+  if (matching && shows('matching')) faces.push({ kind: 'pair', rows: rowsOf(matching.points, matching.triangles, 3) });
+  if (cells && shows('cells', 'density')) faces.push({ kind: 'cell', rows: rowsOfCells(cells) });
+  if (triangles && shows('triangles'))
+    faces.push({ kind: 'triangle', rows: rowsOf(triangles.points, triangles.triangles, 3) });
   return faces;
 }
 
-/** @param {Scene} scene  @param {FaceKind} kind */
+/**
+ * Those of a kind of faces; undefined for what is no face, or not shown.
+ * @param {Scene} scene  @param {Element['kind']} kind
+ */
 export const rowsOfKind = (scene, kind) => facesOf(scene).find((faces) => faces.kind === kind)?.rows;
 
 /** @param {Rows} rows */
@@ -73,9 +84,15 @@ export function cornersOfFace({ points, vertices, offsets }, face) {
 }
 
 /** @param {Rows} rows  @param {number} face */
-export const areaOfFace = (rows, face) => areaOf(cornersOfFace(rows, face).flat(), 0, rows.offsets[face + 1] - rows.offsets[face]);
+export function areaOfFace(rows, face) {
+  const corners = cornersOfFace(rows, face);
+  return areaOf(corners.flat(), 0, corners.length);
+}
 
-/** The nearest of some points within reach. @param {ArrayLike<number>} points  @param {Iterable<number>} some  @param {Point} at  @param {number} reach */
+/**
+ * The nearest of some points within reach.
+ * @param {ArrayLike<number>} points  @param {Iterable<number>} some  @param {Point} at  @param {number} reach
+ */
 function nearest(points, some, [x, y], reach) {
   let best = -1, least = reach;
   for (const v of some) {
@@ -106,17 +123,24 @@ function irregularAt({ frame, layers }, at, reach) {
   return index < 0 ? null : { kind: 'vertex', index, at: pointOf(quads.points, index) };
 }
 
-/** A corner of the quad at the point. @param {Scene} scene  @param {Point} at  @param {number} pixel  @returns {Element | null} */
+/**
+ * A corner of the quad at the point.
+ * @param {Scene} scene  @param {Point} at  @param {number} pixel  @returns {Element | null}
+ */
 function vertexAt(scene, at, pixel) {
   const quads = scene.frame?.quads;
   if (!quads || quadLength(quads) < near.roomForVertices * pixel) return null;
   const face = faceAt(scene, at);
   if (face?.kind !== 'quad') return null;
-  const index = nearest(quads.points, quads.quads.subarray(4 * face.index, 4 * face.index + 4), at, near.vertex * pixel);
+  const corners = quads.quads.subarray(4 * face.index, 4 * face.index + 4);
+  const index = nearest(quads.points, corners, at, near.vertex * pixel);
   return index < 0 ? null : { kind: 'vertex', index, at: pointOf(quads.points, index) };
 }
 
-/** The nearest edge of the drawing. @param {Scene} scene  @param {Point} at  @param {number} reach  @returns {Element | null} */
+/**
+ * The nearest edge of the drawing.
+ * @param {Scene} scene  @param {Point} at  @param {number} reach  @returns {Element | null}
+ */
 function edgeAt({ drawing, layers }, [x, y], reach) {
   if (!layers.has('boundary')) return null;
   /** @type {Element | null} */
@@ -148,7 +172,7 @@ function placeAt({ frame, layers }, at) {
 export function neighbourOf(scene, from, dx, dy) {
   const quads = scene.frame?.quads;
   if (from.kind === 'vertex' && quads) return vertexBeside(quads, from, dx, dy);
-  const rows = from.kind === 'edge' || from.kind === 'vertex' || from.kind === 'singularity' || from.kind === 'place' ? undefined : rowsOfKind(scene, from.kind);
+  const rows = rowsOfKind(scene, from.kind);
   const step = rows ? 0.2 * Math.sqrt(Math.abs(areaOfFace(rows, from.index))) : 0;
   const [x, y] = rows ? middleOfFace(rows, from.index) : from.at;
   for (let k = 1; rows && k <= 400; ++k) {  // as far as across a hole
@@ -160,21 +184,26 @@ export function neighbourOf(scene, from, dx, dy) {
 
 /** The same face, looked at in its middle. @param {Scene} scene  @param {Element} face  @returns {Element} */
 export function centred(scene, face) {
-  const rows = rowsOfKind(scene, /** @type {FaceKind} */ (face.kind));
+  const rows = rowsOfKind(scene, face.kind);
   if (!rows) return face;
   const at = middleOfFace(rows, face.index);
   const there = faceAt(scene, at);
   return there?.kind === face.kind && there.index === face.index ? { ...face, at } : face;
 }
 
-/** Among the vertices that share a face. @param {NonNullable<Snapshot['quads']>} quads  @param {Element} from  @param {number} dx  @param {number} dy  @returns {Element | null} */
+/**
+ * Among the vertices that share a face.
+ * @param {NonNullable<Snapshot['quads']>} quads  @param {Element} from  @param {number} dx  @param {number} dy
+ * @returns {Element | null}
+ */
 function vertexBeside({ points, quads }, { index, at }, dx, dy) {
   let best = -1, most = 0.5;  // cosine: within 60° of the direction
   for (let i = 0; i < quads.length; ++i) {
     if (quads[i] !== index) continue;
     const face = i - i % 4;
     for (const v of [quads[face + (i + 1) % 4], quads[face + (i + 3) % 4]]) {
-      const x = points[2 * v] - at[0], y = points[2 * v + 1] - at[1], along = (x * dx + y * dy) / (Math.hypot(x, y) || 1);
+      const x = points[2 * v] - at[0], y = points[2 * v + 1] - at[1];
+      const along = (x * dx + y * dy) / (Math.hypot(x, y) || 1);
       if (along > most) [best, most] = [v, along];
     }
   }

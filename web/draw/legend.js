@@ -21,85 +21,115 @@ export const short = (x) => String(Number(x.toPrecision(3)));
 /** @param {number} n  @param {string} one  @param {string} [many] */
 export const counted = (n, one, many = `${one}s`) => `${n} ${n === 1 ? one : many}`;
 
-/** @param {LayerName} name  @param {Scene} scene  @returns {LegendItem[]} */
-export function legendOf(name, scene) {
-  const items = legends[name](scene);
-  return items ?? [{ kind: 'text', text: 'Nothing yet at this stage.' }];
+/** @param {ArrayLike<number>} values */
+function meanOf(values) {
+  let sum = 0;
+  for (let i = 0; i < values.length; ++i) sum += values[i];
+  return sum / values.length;
 }
 
-/** @type {Record<LayerName, (scene: Scene) => LegendItem[] | null>} */
+/** @param {string} colour  @param {number} width  @param {string} text  @returns {LegendItem} */
+const line = (colour, width, text) => ({ kind: 'line', colour, width, text });
+/** @param {string} text  @returns {LegendItem} */
+const words = (text) => ({ kind: 'text', text });
+/** @param {Ramp} ramp  @param {string} low  @param {string} high  @param {string} of  @returns {LegendItem} */
+const ramped = (ramp, low, high, of) => ({ kind: 'ramp', ramp, low, high, of });
+
+/** @param {LayerName} name  @param {Scene} scene  @returns {LegendItem[]} */
+export const legendOf = (name, scene) => legends[name](scene) ?? [words('Nothing yet at this stage.')];
+
+/** null: the layer has nothing to show. @type {Record<LayerName, (scene: Scene) => LegendItem[] | null>} */
 const legends = {
-  boundary: ({ drawing, palette }) => {
-    const points = drawing.regions.reduce((sum, { loops }) => sum + loops.reduce((all, loop) => all + loop.length, 0), 0);
-    const loops = drawing.regions.reduce((sum, region) => sum + region.loops.length, 0);
-    const tags = new Set(drawing.regions.flatMap(({ tags: of = [] }) => of.flat()).filter(Boolean));
-    return [
-      { kind: 'line', colour: palette.boundary, width: 1.5, text: `${counted(loops, 'outline')}, ${counted(points, 'point')}` },
-      ...tags.size > 0 ? [/** @type {LegendItem} */ ({ kind: 'line', colour: palette.boundary, width: 3, text: `tagged: ${[...tags].join(', ')}` })] : [],
-    ];
+  boundary: boundaryLegend,
+  triangles({ frame, palette }) {
+    const { triangles } = frame?.triangles ?? {};
+    return triangles?.length ? [line(palette.faint, 1, counted(triangles.length / 3, 'triangle'))] : null;
   },
-  triangles: ({ frame, palette }) => frame?.triangles?.triangles.length
-    ? [{ kind: 'line', colour: palette.faint, width: 1, text: counted(frame.triangles.triangles.length / 3, 'triangle') }] : null,
-  cells: ({ frame, palette }) => frame?.cells?.sites.length
-    ? [{ kind: 'line', colour: palette.faint, width: 1, text: `${counted(frame.cells.density.length, 'cell')}, energy ${short(frame.cells.energy)}` }] : null,
-  density: ({ frame, palette, norm }) => {
+  cells({ frame, palette }) {
+    const cells = frame?.cells;
+    if (!cells?.sites.length) return null;
+    return [line(palette.faint, 1, `${counted(cells.density.length, 'cell')}, energy ${short(cells.energy)}`)];
+  },
+  density({ frame, palette, norm }) {
     if (!frame?.cells?.sites.length) return null;
-    const { cells, sizes } = frame;
-    const relative = relativeDensity(cells, sizes, norm);
-    const mean = relative.reduce((sum, value) => sum + value, 0) / relative.length;
-    return [{ kind: 'ramp', ramp: palette.ramps.density, low: '1', high: `≥ ${highestDensity}`, of: `of a perfect square; mean ${short(mean)}` }];
+    const mean = meanOf(relativeDensity(frame.cells, frame.sizes, norm));
+    return [ramped(palette.ramps.density, '1', `≥ ${highestDensity}`, `of a perfect square; mean ${short(mean)}`)];
   },
-  crosses: ({ frame, palette }) => frame?.crosses?.points.length
-    ? [{ kind: 'line', colour: palette.accent, width: 1.25, text: 'directions of the sides' }, ...singularities(frame.crosses.indices, palette)] : null,
-  sizes: ({ frame, palette }) => {
+  crosses({ frame, palette }) {
+    const crosses = frame?.crosses;
+    if (!crosses?.points.length) return null;
+    return [line(palette.accent, 1.25, 'directions of the sides'), ...singularities(crosses.indices, palette)];
+  },
+  sizes({ frame, palette }) {
     if (!frame?.sizes?.sizes.length) return null;
     const { low, high } = rangeOf(frame.sizes.sizes);
-    if (high < 1.02 * low) return [{ kind: 'text', text: `${short(low)} everywhere` }];
-    return [{ kind: 'ramp', ramp: palette.ramps.sizes, low: short(low), high: short(high), of: 'in equal ratios' }];
+    if (high < 1.02 * low) return [words(`${short(low)} everywhere`)];
+    return [ramped(palette.ramps.sizes, short(low), short(high), 'in equal ratios')];
   },
-  matching: ({ frame, palette }) => {
-    if (!frame?.matching?.triangles.length) return null;
-    const { low, high } = costRange(frame.matching);
-    const extra = frame.matching.extra.reduce((sum, one) => sum + one, 0) / 2;
-    const alone = frame.matching.mates.filter((mate) => mate < 0).length;
-    return [
-      { kind: 'ramp', ramp: palette.ramps.costs, low: short(low / 1e4), high: short(high / 1e4), of: 'cost of a pair' },
-      { kind: 'area', colour: palette.valence[-1], text: `${counted(extra, 'pair')} joined by an extra edge` },
-      ...alone > 0 ? [/** @type {LegendItem} */ ({ kind: 'text', text: `${counted(alone, 'triangle')} left over` })] : [],
-    ];
-  },
-  quads: ({ frame, palette }) => {
+  matching: matchingLegend,
+  quads({ frame, palette }) {
     if (!frame?.quads?.quads.length) return null;
-    const alone = frame.quads.triangles.length / 3;
-    return [{ kind: 'line', colour: palette.ink, width: 1, text: counted(frame.quads.quads.length / 4, 'quad') + (alone > 0 ? `, ${counted(alone, 'triangle')}` : '') }];
+    const { quads, triangles } = frame.quads;
+    const leftOver = triangles.length > 0 ? `, ${counted(triangles.length / 3, 'triangle')}` : '';
+    return [line(palette.ink, 1, counted(quads.length / 4, 'quad') + leftOver)];
   },
-  quality: ({ frame, palette }) => {
+  quality({ frame, palette }) {
     if (!frame?.quads?.quads.length) return null;
     const eta = frame.quads.eta.subarray(0, frame.quads.quads.length / 4);
-    const mean = eta.reduce((sum, value) => sum + value, 0) / eta.length;
-    return [{ kind: 'ramp', ramp: palette.ramps.quality, low: `≤ ${lowestQuality}`, high: '1', of: `mean ${short(mean)}, least ${short(rangeOf(eta).low)}` }];
+    const of = `mean ${short(meanOf(eta))}, least ${short(rangeOf(eta).low)}`;
+    return [ramped(palette.ramps.quality, `≤ ${lowestQuality}`, '1', of)];
   },
-  valence: ({ frame, palette }) => {
-    if (!frame?.quads?.quads.length) return null;
-    const { excess, valence } = frame.quads;
-    const used = valence.filter((count) => count > 0).length, regular = excess.filter((e, v) => e === 0 && valence[v] > 0).length;
-    return [
-      { kind: 'text', text: `${short(100 * regular / used)} % of ${used} are regular` },
-      ...[-2, -1, 1, 2].flatMap((kind) => {
-        const count = excess.filter((e) => Math.max(-2, Math.min(2, e)) === kind).length;
-        const { shape, colour, text } = markOf(palette, kind);
-        return count > 0 ? [/** @type {LegendItem} */ ({ kind: 'mark', shape, colour, hollow: false, text: `${count} with ${text}` })] : [];
-      }),
-    ];
-  },
+  valence: valenceLegend,
 };
+
+/** @param {Scene} scene */
+function boundaryLegend({ drawing: { regions }, palette }) {
+  const loops = regions.flatMap((region) => region.loops);
+  const points = loops.reduce((sum, loop) => sum + loop.length, 0);
+  const tags = new Set(regions.flatMap((region) => region.tags ?? []).flat().filter(Boolean));
+  const items = [line(palette.boundary, 1.5, `${counted(loops.length, 'outline')}, ${counted(points, 'point')}`)];
+  if (tags.size > 0) items.push(line(palette.boundary, 3, `tagged: ${[...tags].join(', ')}`));
+  return items;
+}
+
+/** @param {Scene} scene */
+function matchingLegend({ frame, palette }) {
+  const matching = frame?.matching;
+  if (!matching?.triangles.length) return null;
+  const { low, high } = costRange(matching);
+  const extra = matching.extra.reduce((sum, one) => sum + one, 0) / 2;
+  const alone = matching.mates.filter((mate) => mate < 0).length;
+  /** @type {LegendItem[]} */
+  const items = [
+    ramped(palette.ramps.costs, short(low / 1e4), short(high / 1e4), 'cost of a pair'),
+    { kind: 'area', colour: palette.valence[-1], text: `${counted(extra, 'pair')} joined by an extra edge` },
+  ];
+  if (alone > 0) items.push(words(`${counted(alone, 'triangle')} left over`));
+  return items;
+}
+
+/** @param {Scene} scene */
+function valenceLegend({ frame, palette }) {
+  if (!frame?.quads?.quads.length) return null;
+  const { excess, valence } = frame.quads;
+  const used = valence.filter((count) => count > 0).length;
+  const regular = excess.filter((e, v) => e === 0 && valence[v] > 0).length;
+  const items = [words(`${short(100 * regular / used)} % of ${used} are regular`)];
+  for (const kind of [-2, -1, 1, 2]) {
+    const count = excess.filter((e) => Math.max(-2, Math.min(2, e)) === kind).length;
+    const { shape, colour, text } = markOf(palette, kind);
+    if (count > 0) items.push({ kind: 'mark', shape, colour, hollow: false, text: `${count} with ${text}` });
+  }
+  return items;
+}
 
 /** @param {Int32Array} indices  @param {Palette} palette  @returns {LegendItem[]} */
 function singularities(indices, palette) {
   return [1, -1].flatMap((sign) => {
     const count = indices.filter((index) => Math.sign(index) === sign).length;
     const { shape, colour } = markOf(palette, -sign);
-    const text = sign > 0 ? `${counted(count, 'singularity', 'singularities')} +1: three quads meet` : `${counted(count, 'singularity', 'singularities')} −1: five quads meet`;
+    const many = counted(count, 'singularity', 'singularities');
+    const text = `${many} ${sign > 0 ? '+1: three' : '−1: five'} quads meet`;
     return count > 0 ? [{ kind: /** @type {const} */ ('mark'), shape, colour, hollow: true, text }] : [];
   });
 }

@@ -51,7 +51,8 @@ export function drawMark(pen, shape, x, y, radius, colour, rim) {
 export function drawMarkInBulk(pen, shape, x, y, radius, colour, rim) {
   if (!pen.fillPolygon) return drawMark(pen, shape, x, y, radius, colour, rim);
   const corners = cornersOf(shape);
-  const scaled = (/** @type {number} */ reach) => Float64Array.from(corners.flatMap(([cx, cy]) => [x + reach * cx, y + reach * cy]));
+  const scaled = (/** @type {number} */ reach) =>
+    Float64Array.from(corners.flatMap(([cx, cy]) => [x + reach * cx, y + reach * cy]));
   pen.fillPolygon(scaled(radius + 1), corners.length, packedOf(rim));
   pen.fillPolygon(scaled(radius), corners.length, packedOf(colour));
 }
@@ -63,7 +64,10 @@ export function traceMark(pen, shape, x, y, radius) {
   pen.closePath();
 }
 
-/** A short text in a mark. @param {Pen} pen  @param {string} text  @param {number} x  @param {number} y  @param {string} colour */
+/**
+ * A short text in a mark.
+ * @param {Pen} pen  @param {string} text  @param {number} x  @param {number} y  @param {string} colour
+ */
 export function writeIn(pen, text, x, y, colour) {
   pen.fillStyle = colour;
   pen.font = '600 11px system-ui, sans-serif';

@@ -65,7 +65,10 @@ export function shadesOf(ramp) {
   let shades = known.get(ramp);
   if (shades === undefined) {
     const colours = Array.from({ length: shadeCount }, (_, i) => between(ramp, i / (shadeCount - 1)));
-    shades = { css: colours.map((colour) => `rgb(${colour})`), rgba: Uint32Array.from(colours, (colour) => packed(...colour)) };
+    shades = {
+      css: colours.map((colour) => `rgb(${colour})`),
+      rgba: Uint32Array.from(colours, (colour) => packed(...colour)),
+    };
     known.set(ramp, shades);
   }
   return shades;

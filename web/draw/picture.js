@@ -11,7 +11,10 @@ export function svgPicture(scene, view) {
   return pen.text(view.width, view.height, scene.palette.background, 'Mesh by lpquad');
 }
 
-/** With `scale` pixels for each of the view's. @param {Scene} scene  @param {View} view  @param {number} [scale]  @returns {Promise<Blob>} */
+/**
+ * With `scale` pixels for each of the view's.
+ * @param {Scene} scene  @param {View} view  @param {number} [scale]  @returns {Promise<Blob>}
+ */
 export function pngPicture(scene, view, scale = 2) {
   const sheet = new BitmapPen();
   sheet.begin(view.width, view.height, scale);

@@ -31,7 +31,10 @@ export class Raster {
       this.#fillRow(row, this.#cross(corners, count, row + 0.5), rgba);
   }
 
-  /** Sorted crossings of the polygon with a row; returns how many. @param {Float64Array} corners @param {number} count @param {number} y */
+  /**
+   * Sorted crossings of the polygon with a row; returns how many.
+   * @param {Float64Array} corners  @param {number} count  @param {number} y
+   */
   #cross(corners, count, y) {
     const crossings = this.#crossings;
     let found = 0;
@@ -56,7 +59,10 @@ export class Raster {
     }
   }
 
-  /** @param {number} x0  @param {number} y0  @param {number} x1  @param {number} y1  @param {number} width  @param {number} rgba */
+  /**
+   * @param {number} x0  @param {number} y0  @param {number} x1  @param {number} y1  @param {number} width
+   * @param {number} rgba
+   */
   strokeLine(x0, y0, x1, y1, width, rgba) {
     const { width: across, height: down } = this;
     if (Math.abs(x1 - x0) >= Math.abs(y1 - y0)) {
@@ -68,8 +74,9 @@ export class Raster {
 
   /**
    * A line along its longer direction `a`, a0 <= a1: at every pixel centre, what it covers across.
-   * @param {number} a0  @param {number} b0  @param {number} a1  @param {number} b1  @param {number} width  @param {number} rgba
-   * @param {number} along  pixels  @param {number} across  @param {number} stepAlong  between them in memory  @param {number} stepAcross
+   * @param {number} a0  @param {number} b0  @param {number} a1  @param {number} b1  @param {number} width
+   * @param {number} rgba  @param {number} along  pixels  @param {number} across
+   * @param {number} stepAlong  between pixels in memory  @param {number} stepAcross
    */
   #march(a0, b0, a1, b1, width, rgba, along, across, stepAlong, stepAcross) {
     const slope = a1 > a0 ? (b1 - b0) / (a1 - a0) : 0;
@@ -102,7 +109,10 @@ export class Raster {
   }
 }
 
-/** The same for a line and its reverse: neighbours leave no gap. */
-function crossingOf(/** @type {number} */ x0, /** @type {number} */ y0, /** @type {number} */ x1, /** @type {number} */ y1, /** @type {number} */ y) {
+/**
+ * The same for a line and its reverse: neighbours leave no gap.
+ * @param {number} x0  @param {number} y0  @param {number} x1  @param {number} y1  @param {number} y
+ */
+function crossingOf(x0, y0, x1, y1, y) {
   return y0 < y1 ? x0 + (y - y0) / (y1 - y0) * (x1 - x0) : x1 + (y - y1) / (y0 - y1) * (x0 - x1);
 }

@@ -48,7 +48,8 @@ export function rangeOf(values) {
 /**
  * The direction of a cross (one arm, unit length): crosses turn by quarters, so four times the angle
  * is what has a mean. null outside and where the field has no direction.
- * @param {ArrayLike<number>} axes  @param {{corners: number[], weights: number[]}} at  @returns {[number, number] | null}
+ * @param {ArrayLike<number>} axes  @param {{corners: number[], weights: number[]}} at
+ * @returns {[number, number] | null}
  */
 export function axisAt(axes, { corners, weights }) {
   let re = 0, im = 0;

@@ -3,10 +3,14 @@
 
 /** Two digits of a pixel are enough. @param {number} x */
 const digits = (x) => String(Math.round(100 * x) / 100);
-const escaped = (/** @type {string} */ text) => text.replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c] ?? c);
+/** @type {Record<string, string>} */
+const entities = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' };
+const escaped = (/** @type {string} */ text) => text.replace(/[&<>"]/g, (c) => entities[c]);
 
-const plain = { fillStyle: '#000000', strokeStyle: '#000000', lineWidth: 1, globalAlpha: 1, lineJoin: 'miter', lineCap: 'butt',
-  font: '10px sans-serif', textAlign: 'start', textBaseline: 'alphabetic', dash: '' };
+const plain = {
+  fillStyle: '#000000', strokeStyle: '#000000', lineWidth: 1, globalAlpha: 1, lineJoin: 'miter', lineCap: 'butt',
+  font: '10px sans-serif', textAlign: 'start', textBaseline: 'alphabetic', dash: '',
+};
 
 export class SvgPen {
   /** @type {string[]} */
@@ -24,22 +28,27 @@ export class SvgPen {
   lineTo(/** @type {number} */ x, /** @type {number} */ y) { this.#path.push(`L${digits(x)} ${digits(y)}`); }
   closePath() { this.#path.push('Z'); }
 
-  arc(/** @type {number} */ x, /** @type {number} */ y, /** @type {number} */ radius, /** @type {number} */ from, /** @type {number} */ to) {
-    const at = (/** @type {number} */ angle) => `${digits(x + radius * Math.cos(angle))} ${digits(y + radius * Math.sin(angle))}`;
+  /** @param {number} x  @param {number} y  @param {number} radius  @param {number} from  @param {number} to */
+  arc(x, y, radius, from, to) {
+    const at = (/** @type {number} */ angle) =>
+      `${digits(x + radius * Math.cos(angle))} ${digits(y + radius * Math.sin(angle))}`;
     const r = digits(radius), middle = (from + to) / 2;  // in two: a whole turn has no direction
-    this.#path.push(`${this.#path.length > 0 ? 'L' : 'M'}${at(from)}A${r} ${r} 0 0 1 ${at(middle)}A${r} ${r} 0 0 1 ${at(to)}`);
+    const half = `A${r} ${r} 0 0 1 `;
+    this.#path.push(`${this.#path.length > 0 ? 'L' : 'M'}${at(from)}${half}${at(middle)}${half}${at(to)}`);
   }
 
   fill(/** @type {CanvasFillRule | Path2D} */ rule = 'nonzero') {
     const { fillStyle, globalAlpha } = this.#state;
     // A hair of the same colour closes the seams between neighbours.
-    this.#add('fill', `fill="${fillStyle}" stroke="${fillStyle}" stroke-width=".4"${rule === 'evenodd' ? ' fill-rule="evenodd"' : ''}${opacity(globalAlpha)}`);
+    this.#add('fill', `fill="${fillStyle}" stroke="${fillStyle}" stroke-width=".4"`
+      + (rule === 'evenodd' ? ' fill-rule="evenodd"' : '') + opacity(globalAlpha));
   }
 
   stroke() {
     const { strokeStyle, lineWidth, lineJoin, lineCap, dash, globalAlpha } = this.#state;
     this.#add('stroke', `fill="none" stroke="${strokeStyle}" stroke-width="${digits(lineWidth)}"`
-      + (lineJoin === 'miter' ? '' : ` stroke-linejoin="${lineJoin}"`) + (lineCap === 'butt' ? '' : ` stroke-linecap="${lineCap}"`)
+      + (lineJoin === 'miter' ? '' : ` stroke-linejoin="${lineJoin}"`)
+      + (lineCap === 'butt' ? '' : ` stroke-linecap="${lineCap}"`)
       + (dash === '' ? '' : ` stroke-dasharray="${dash}"`) + opacity(globalAlpha));
   }
 
@@ -48,7 +57,8 @@ export class SvgPen {
     const [, weight = '400', size = '10', family = 'sans-serif'] = /^(\d+)? ?([\d.]+)px (.*)$/.exec(font) ?? [];
     const anchor = textAlign === 'center' ? 'middle' : textAlign === 'right' || textAlign === 'end' ? 'end' : 'start';
     const down = textBaseline === 'middle' ? 0.35 * Number(size) : 0;  // editors do not know dominant-baseline
-    this.#parts.push(`<text x="${digits(x)}" y="${digits(y + down)}" fill="${fillStyle}" font-family="${escaped(family)}" font-size="${size}" font-weight="${weight}" text-anchor="${anchor}">${escaped(text)}</text>`);
+    this.#parts.push(`<text x="${digits(x)}" y="${digits(y + down)}" fill="${fillStyle}" text-anchor="${anchor}"`
+      + ` font-family="${escaped(family)}" font-size="${size}" font-weight="${weight}">${escaped(text)}</text>`);
     this.#last = { look: '', kind: '' };
   }
 
@@ -56,7 +66,10 @@ export class SvgPen {
   restore() { this.#state = this.#saved.pop() ?? this.#state; }
   setLineDash(/** @type {number[]} */ dash) { this.#state.dash = dash.map(digits).join(' '); }
 
-  /** Strokes of one look become one path; polygons stay apart, so that each can be picked. @param {'fill' | 'stroke'} kind @param {string} look */
+  /**
+   * Strokes of one look become one path; polygons stay apart, so that each can be picked.
+   * @param {'fill' | 'stroke'} kind  @param {string} look
+   */
   #add(kind, look) {
     if (this.#path.length === 0) return;
     const d = this.#path.join('');
@@ -69,10 +82,18 @@ export class SvgPen {
     this.#last = { kind, look };
   }
 
-  /** The whole file. @param {number} width  @param {number} height  @param {string} background  @param {string} title */
+  /**
+   * The whole file.
+   * @param {number} width  @param {number} height  @param {string} background  @param {string} title
+   */
   text(width, height, background, title) {
-    return `<?xml version="1.0" encoding="UTF-8"?>\n<svg xmlns="http://www.w3.org/2000/svg" width="${digits(width)}" height="${digits(height)}" viewBox="0 0 ${digits(width)} ${digits(height)}">\n`
-      + `<title>${escaped(title)}</title>\n<rect width="100%" height="100%" fill="${background}"/>\n${this.#parts.join('\n')}\n</svg>\n`;
+    const [w, h] = [digits(width), digits(height)];
+    return [
+      '<?xml version="1.0" encoding="UTF-8"?>',
+      `<svg xmlns="http://www.w3.org/2000/svg" width="${w}" height="${h}" viewBox="0 0 ${w} ${h}">`,
+      `<title>${escaped(title)}</title>`, `<rect width="100%" height="100%" fill="${background}"/>`,
+      ...this.#parts, '</svg>', '',
+    ].join('\n');
   }
 
   static {

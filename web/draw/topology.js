@@ -80,7 +80,10 @@ function hashed(/** @type {Uint32Array} */ words, /** @type {number} */ at) {
   return h ^ (h >>> 13);
 }
 
-/** Median length of about 200 of the edges, in the world. @param {ArrayLike<number>} points  @param {ArrayLike<number>} edges */
+/**
+ * Median length of about 200 of the edges, in the world.
+ * @param {ArrayLike<number>} points  @param {ArrayLike<number>} edges
+ */
 export function typicalLength(points, edges) {
   const step = 2 * Math.max(1, Math.floor(edges.length / 400)), lengths = [];
   for (let i = 0; i + 1 < edges.length; i += step) {

@@ -23,8 +23,11 @@ export class Inspector {
   constructor(app) {
     this.app = app;
     this.body = h('div', { className: 'card-body' });
-    this.close = h('button', { type: 'button', 'aria-label': 'Close', title: 'Close (I)', onclick: () => this.show(null) }, icon('close'));
-    this.card = h('div', { className: 'inspection', hidden: true, role: 'group', 'aria-label': 'Element' }, this.body, this.close);
+    const shut = () => this.show(null);
+    this.close = h('button', { type: 'button', 'aria-label': 'Close', title: 'Close (I)', onclick: shut },
+      icon('close'));
+    this.card = h('div', { className: 'inspection', hidden: true, role: 'group', 'aria-label': 'Element' },
+      this.body, this.close);
     app.stage.element.append(this.card);
     app.stage.overlays.push((pen, view) => this.draw(pen, view));
   }
@@ -65,7 +68,8 @@ export class Inspector {
     if (this.#pinned) return this.show(null);
     const { view } = this.app.stage, scene = this.app.scene();
     const places = spiral(view);
-    const found = firstOf(places, (at) => faceAt(scene, at)) ?? firstOf(places, (at) => elementAt(scene, at, 1 / view.scale));
+    const found = firstOf(places, (at) => faceAt(scene, at))
+      ?? firstOf(places, (at) => elementAt(scene, at, 1 / view.scale));
     if (!found) return this.app.announce('There is no element in view');
     this.show(centred(scene, found), true);
     this.app.stage.overlay.focus();  // so that the arrow keys come here
@@ -87,7 +91,8 @@ export class Inspector {
   refresh() {
     if (this.#element === null) return;
     const scene = this.app.scene(), { at, kind } = this.#element;
-    this.#element = kind === 'vertex' || kind === 'edge' || kind === 'singularity' ? elementAt(scene, at, 1 / this.app.stage.view.scale) : faceAt(scene, at) ?? elementAt(scene, at, 0);
+    const small = kind === 'vertex' || kind === 'edge' || kind === 'singularity';
+    this.#element = (small ? null : faceAt(scene, at)) ?? elementAt(scene, at, this.app.stage.pixel);
     this.#pinned &&= this.#element !== null;
     this.#fill();
     this.app.stage.invalidate('overlay');
@@ -106,7 +111,8 @@ export class Inspector {
     this.card.classList.toggle('pinned', this.#pinned);
     if (!description) return;
     this.body.replaceChildren(h('strong', null, `${description.title} `),
-      h('dl', null, ...description.rows.flatMap(([name, value]) => [h('dt', null, `${name} `), h('dd', null, `${value} `)])));
+      h('dl', null, ...description.rows.flatMap(([name, value]) =>
+        [h('dt', null, `${name} `), h('dd', null, `${value} `)])));
     this.#place();
   }
 
@@ -135,10 +141,10 @@ export class Inspector {
     const scene = this.app.scene();
     this.#place();
     pen.save();
-    for (const [width, colour] of /** @type {[number, string][]} */ ([[6, scene.palette.background], [3, scene.palette.accent]])) {
-      pen.lineWidth = width;
-      pen.strokeStyle = colour;
-      pen.lineJoin = 'round';
+    pen.lineJoin = 'round';
+    for (const rim of [true, false]) {
+      pen.lineWidth = rim ? 6 : 3;
+      pen.strokeStyle = rim ? scene.palette.background : scene.palette.accent;
       for (const outline of outlinesOf(scene, this.#element)) {
         trace(pen, view, outline);
         pen.stroke();
@@ -148,7 +154,10 @@ export class Inspector {
   }
 }
 
-/** What is drawn round an element: polygons, or one point. @param {Scene} scene  @param {Element} element  @returns {Point[][]} */
+/**
+ * What is drawn round an element: polygons, or one point.
+ * @param {Scene} scene  @param {Element} element  @returns {Point[][]}
+ */
 function outlinesOf(scene, element) {
   const { kind, index, at } = element;
   if (kind === 'edge') {
@@ -158,7 +167,7 @@ function outlinesOf(scene, element) {
   if (kind === 'vertex' || kind === 'singularity' || kind === 'place') return [[at]];
   const rows = rowsOfKind(scene, kind);
   if (!rows) return [];
-  const mates = kind === 'pair' ? scene.frame?.matching?.mates : kind === 'triangle' ? scene.frame?.matching?.mates : undefined;
+  const mates = kind === 'pair' || kind === 'triangle' ? scene.frame?.matching?.mates : undefined;
   const mate = mates?.length === rows.offsets.length - 1 ? mates[index] : -1;
   return [...mate >= 0 ? [cornersOfFace(rows, mate)] : [], cornersOfFace(rows, index)];
 }
@@ -167,7 +176,7 @@ function outlinesOf(scene, element) {
 function trace(pen, view, outline) {
   pen.beginPath();
   if (outline.length === 1) pen.arc(...toScreen(view, ...outline[0]), 9, 0, 2 * Math.PI);
-  outline.forEach((point, i) => { if (outline.length > 1) pen[i === 0 ? 'moveTo' : 'lineTo'](...toScreen(view, ...point)); });
+  else outline.forEach((point, i) => pen[i === 0 ? 'moveTo' : 'lineTo'](...toScreen(view, ...point)));
   if (outline.length > 2) pen.closePath();
 }
 

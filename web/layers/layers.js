@@ -25,19 +25,24 @@ export function installLayers(app) {
   }
 
   actions.add(
-    { id: 'layer.auto', label: 'Layers follow the run', keys: ['A'], icon: 'auto', pressed: () => store.project.layers === 'auto', run: follow },
+    { id: 'layer.auto', label: 'Layers follow the run', keys: ['A'], icon: 'auto',
+      pressed: () => store.project.layers === 'auto', run: follow },
     ...layerNames.map(({ name, key, title }) => ({
       id: `layer.${name}`, label: title, keys: [key], pressed: () => shown().has(name), run: () => toggle(name, title),
     })));
 
-  const rows = layerNames.map(({ name, key, title, what }) => ({ name, legend: h('div', { className: 'legend' }), key, title, what }));
+  const rows = layerNames.map((layer) => ({ ...layer, legend: h('div', { className: 'legend' }) }));
   tabs.add('layers', 'Layers',
     h('div', { className: 'layers-head buttons' }, 
       actions.button('layer.auto', { labelled: true, title: 'Show what tells most at each stage of the run' }),
-      actions.button('view.inspect', { labelled: true, text: 'Inspect', title: 'Tells of one element; arrow keys go to its neighbours' })),
+      actions.button('view.inspect', {
+        text: 'Inspect', title: 'Tells of one element; arrow keys go to its neighbours',
+      })),
     h('ul', { className: 'layers' }, ...rows.map(({ name, legend, key, what }) =>
       h('li', null,
-        h('div', { className: 'layer' }, actions.button(`layer.${name}`, { title: what }), h('kbd', { 'aria-hidden': 'true' }, key)), legend))));
+        h('div', { className: 'layer' },
+          actions.button(`layer.${name}`, { title: what }), h('kbd', { 'aria-hidden': 'true' }, key)),
+        legend))));
 
   const refresh = atNextPicture(() => {
     const now = scene();

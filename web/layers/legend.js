@@ -11,7 +11,8 @@ export function legendElement(item) {
   if (item.kind === 'ramp')
     return h('div', { className: 'legend-ramp' },
       h('div', { className: 'ramp', style: `background-image: ${gradientOf(item.ramp)}`, 'aria-hidden': 'true' }),
-      h('div', { className: 'ramp-ends' }, h('span', null, item.low), h('span', { className: 'quiet' }, item.of), h('span', null, item.high)));
+      h('div', { className: 'ramp-ends' },
+        h('span', null, item.low), h('span', { className: 'quiet' }, item.of), h('span', null, item.high)));
   return h('div', { className: 'legend-item' }, swatch(item), h('span', null, item.text));
 }
 

@@ -4,8 +4,9 @@
 
 /** With what is told of an element under the pointer. @type {Record<LayerName, (keyof Layers)[]>} */
 const sources = {
-  boundary: [], triangles: ['triangles', 'matching'], cells: ['cells'], density: ['cells', 'sizes'], crosses: ['crosses', 'sizes'],
-  sizes: ['sizes'], matching: ['matching'], quads: ['quads', 'sizes'], quality: ['quads', 'sizes'], valence: ['quads', 'sizes'],
+  boundary: [], triangles: ['triangles', 'matching'], cells: ['cells'], density: ['cells', 'sizes'],
+  crosses: ['crosses', 'sizes'], sizes: ['sizes'], matching: ['matching'],
+  quads: ['quads', 'sizes'], quality: ['quads', 'sizes'], valence: ['quads', 'sizes'],
 };
 
 export const layerNames = /** @type {LayerName[]} */ (Object.keys(sources));

@@ -22,7 +22,10 @@ export class Painter {
     this.context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
   }
 
-  /** Works for one frame. True: there is more to do in the next one. @param {Scene} scene  @param {View} view  @param {boolean} changed */
+  /**
+   * Works for one frame. True: there is more to do in the next one.
+   * @param {Scene} scene  @param {View} view  @param {boolean} changed
+   */
   paint(scene, view, changed) {
     const end = performance.now() + budget;
     if (changed) this.#wanted = { scene, view };

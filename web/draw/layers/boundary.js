@@ -26,7 +26,10 @@ export function drawRegions(pen, { drawing, palette }, view) {
     }
 }
 
-/** The outlines, lines and points as given; tagged edges stronger. @param {Pen} pen  @param {Scene} scene  @param {View} view */
+/**
+ * The outlines, lines and points as given; tagged edges stronger.
+ * @param {Pen} pen  @param {Scene} scene  @param {View} view
+ */
 export function drawBoundary(pen, { drawing, palette }, view) {
   pen.strokeStyle = palette.boundary;
   pen.lineJoin = 'round';

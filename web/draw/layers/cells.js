@@ -7,6 +7,9 @@ import { edgesOfRows, typicalLength, welded } from '../topology.js';
 
 /** @typedef {NonNullable<Snapshot['cells']>} Cells */
 
+/** @param {Pick<Cells, 'points' | 'offsets'>} cells */
+export const rowsOfCells = ({ points, offsets }) => ({ points, vertices: null, offsets });
+
 /** Clipped Voronoi cells. @param {Pen} pen  @param {Scene} scene  @param {View} view */
 export function* drawCells(pen, { frame, palette }, view) {
   const cells = frame?.cells;
@@ -32,7 +35,7 @@ export function* drawDensity(pen, { frame, palette, norm }, view) {
   const perOctave = (shadeCount - 1) / Math.log2(highestDensity);
   const shade = (/** @type {number} */ piece) =>
     Math.round(Math.max(0, Math.min(shadeCount - 1, perOctave * Math.log2(Math.max(1, relative[cells.sites[piece]])))));
-  yield* fillRows(pen, { points: cells.points, vertices: null, offsets: cells.offsets }, shade, shadesOf(palette.ramps.density), view);
+  yield* fillRows(pen, rowsOfCells(cells), shade, shadesOf(palette.ramps.density), view);
 }
 
 /**

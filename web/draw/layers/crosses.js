@@ -10,12 +10,16 @@ import { toScreen } from '../view.js';
 /** Pixels between glyphs, and of an arm. */
 const spacing = 26, arm = 8;
 
-/** Crosses at equal distances on the screen, and the singularities of the field. @param {Pen} pen @param {Scene} scene @param {View} view */
+/**
+ * Crosses at equal distances on the screen, and the singularities of the field.
+ * @param {Pen} pen  @param {Scene} scene  @param {View} view
+ */
 export function* drawCrosses(pen, { frame, palette }, view) {
   const layer = frame?.crosses;
   if (!layer || layer.points.length === 0) return;
   const { sizes } = frame;  // on the same background triangles
-  const ends = sizes?.triangles.length && sizes.points.length === layer.points.length ? evenly(layer, sizes, view) : thinned(layer, view);
+  const together = sizes?.triangles.length && sizes.points.length === layer.points.length;
+  const ends = together ? evenly(layer, sizes, view) : thinned(layer, view);
   pen.strokeStyle = palette.accent;
   pen.lineWidth = 1.25;
   yield* strokeLines(pen, ends, view);
@@ -25,7 +29,10 @@ export function* drawCrosses(pen, { frame, palette }, view) {
 /** Ends of the arms in the world. @param {number} x  @param {number} y  @param {number} c  @param {number} s */
 const armsOf = (x, y, c, s) => [x - c, y - s, x + c, y + s, x + s, y - c, x - s, y + c];
 
-/** One glyph in each square of the screen, the squares standing still in the world. @param {Crosses} crosses @param {Sizes} background @param {View} view */
+/**
+ * One glyph in each square of the screen, the squares standing still in the world.
+ * @param {Crosses} crosses  @param {Sizes} background  @param {View} view
+ */
 function evenly({ axes }, background, view) {
   const weights = weightsAt(background), step = spacing / view.scale, reach = arm / view.scale;
   const right = view.left + view.width / view.scale, bottom = view.top - view.height / view.scale;
@@ -39,7 +46,10 @@ function evenly({ axes }, background, view) {
   return ends;
 }
 
-/** Of the points of the field, the nearest to the middle of each square of the screen. @param {Crosses} crosses @param {View} view */
+/**
+ * Of the points of the field, the nearest to the middle of each square of the screen.
+ * @param {Crosses} crosses  @param {View} view
+ */
 function thinned({ points, axes }, view) {
   const across = Math.ceil(view.width / spacing), reach = arm / view.scale;
   /** @type {Map<number, {gap: number, i: number}>} */
@@ -55,7 +65,10 @@ function thinned({ points, axes }, view) {
     armsOf(points[2 * i], points[2 * i + 1], reach * axes[2 * i], reach * axes[2 * i + 1]));
 }
 
-/** Hollow where a vertex of the mesh would be solid: +1 (three quads meet) and -1 (five). @param {Pen} pen @param {Crosses} crosses @param {Scene['palette']} palette @param {View} view */
+/**
+ * Hollow where a vertex of the mesh would be solid: +1 (three quads meet) and -1 (five).
+ * @param {Pen} pen  @param {Crosses} crosses  @param {Scene['palette']} palette  @param {View} view
+ */
 function drawSingularities(pen, { singularities, indices }, palette, view) {
   indices.forEach((index, i) => {
     const [x, y] = toScreen(view, singularities[2 * i], singularities[2 * i + 1]);

@@ -9,7 +9,10 @@ import { edgesOf, typicalLength } from '../topology.js';
 /** Sides of this many pixels leave room for links between partners. */
 const readable = 12;
 
-/** Pairs of triangles by what they cost, linked; pairs that only an extra edge joins stand out. @param {Pen} pen @param {Scene} scene @param {View} view */
+/**
+ * Pairs of triangles by what they cost, linked; pairs that only an extra edge joins stand out.
+ * @param {Pen} pen  @param {Scene} scene  @param {View} view
+ */
 export function* drawMatching(pen, { frame, palette }, view) {
   const layer = frame?.matching;
   if (!layer || layer.triangles.length === 0) return;
@@ -74,8 +77,10 @@ function hasEdge(triangles, t, a, b) {
 /** A line from middle to middle of each pair. @param {Matching} layer */
 function linksOf({ points, triangles, mates }) {
   const links = [];
-  const middle = (/** @type {number} */ t, /** @type {number} */ axis) =>
-    (points[2 * triangles[3 * t] + axis] + points[2 * triangles[3 * t + 1] + axis] + points[2 * triangles[3 * t + 2] + axis]) / 3;
+  const middle = (/** @type {number} */ t, /** @type {number} */ axis) => {
+    const corner = (/** @type {number} */ k) => points[2 * triangles[3 * t + k] + axis];
+    return (corner(0) + corner(1) + corner(2)) / 3;
+  };
   for (let t = 0; t < mates.length; ++t)
     if (mates[t] > t) links.push(middle(t, 0), middle(t, 1), middle(mates[t], 0), middle(mates[t], 1));
   return Float64Array.from(links);

@@ -6,7 +6,10 @@ import { edgesOf, typicalLength } from '../topology.js';
 
 /** @typedef {NonNullable<Snapshot['quads']>} Quads */
 
-/** Lines of the quads, and of triangles that are left over. @param {Pen} pen  @param {Scene} scene  @param {View} view */
+/**
+ * Lines of the quads, and of triangles that are left over.
+ * @param {Pen} pen  @param {Scene} scene  @param {View} view
+ */
 export function* drawQuads(pen, { frame, palette }, view) {
   const layer = frame?.quads;
   if (!layer) return;
@@ -15,7 +18,8 @@ export function* drawQuads(pen, { frame, palette }, view) {
   pen.strokeStyle = palette.ink;
   pen.lineWidth = lineWidth(quadLength(layer) * view.scale);
   yield* strokeEdges(pen, layer.points, edges, view);
-  if (layer.triangles.length > 0) yield* strokeEdges(pen, layer.points, once(layer, 'left over', () => edgesOf(layer.triangles, 3)), view);
+  const leftOver = once(layer, 'left over', () => edgesOf(layer.triangles, 3));
+  yield* strokeEdges(pen, layer.points, leftOver, view);
 }
 
 /** @param {Quads} layer */

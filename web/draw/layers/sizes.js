@@ -7,16 +7,22 @@ import { rangeOf } from '../sampler.js';
 
 /** @typedef {NonNullable<Snapshot['sizes']>} Sizes */
 /** @typedef {{points: Float64Array, offsets: Uint32Array, band: Uint8Array}} Bands */
+/** @typedef {{bands: Bands, lines: Float64Array, bandCount: number}} Made */
 
-/** The target size, small to large in equal ratios, with lines of equal size. @param {Pen} pen @param {Scene} scene @param {View} view */
+/**
+ * The target size, small to large in equal ratios, with lines of equal size.
+ * @param {Pen} pen  @param {Scene} scene  @param {View} view
+ */
 export function* drawSizes(pen, { frame, palette }, view) {
   const layer = frame?.sizes;
   if (!layer || layer.sizes.length === 0) return;
-  const known = once(layer, 'contours', () => /** @type {{made?: {bands: Bands, lines: Float64Array, bandCount: number}}} */ ({}));
+  const known = once(layer, 'contours', () => /** @type {{made?: Made}} */ ({}));
   known.made ??= yield* contoursOf(layer);
   const { bands, lines, bandCount } = known.made;
-  const shade = (/** @type {number} */ i) => Math.round((shadeCount - 1) * (bandCount > 1 ? bands.band[i] / (bandCount - 1) : 0.9));
-  yield* fillRows(pen, { points: bands.points, vertices: null, offsets: bands.offsets }, shade, shadesOf(palette.ramps.sizes), view);
+  const share = (/** @type {number} */ i) => (bandCount > 1 ? bands.band[i] / (bandCount - 1) : 0.9);
+  const shade = (/** @type {number} */ i) => Math.round((shadeCount - 1) * share(i));
+  const rows = { points: bands.points, vertices: null, offsets: bands.offsets };
+  yield* fillRows(pen, rows, shade, shadesOf(palette.ramps.sizes), view);
   pen.strokeStyle = palette.ink;
   pen.lineWidth = 0.6;
   yield* strokeLines(pen, lines, view);

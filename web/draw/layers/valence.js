@@ -11,7 +11,10 @@ const readable = 34;
 /** So many marks are drawn in bulk. */
 const many = 600;
 
-/** Irregular vertices: shape and colour by how many quads are too few or too many. @param {Pen} pen @param {Scene} scene @param {View} view */
+/**
+ * Irregular vertices: shape and colour by how many quads are too few or too many.
+ * @param {Pen} pen  @param {Scene} scene  @param {View} view
+ */
 export function* drawValence(pen, { frame, palette }, view) {
   const layer = frame?.quads;
   if (!layer) return;
