@@ -4,6 +4,7 @@
 import { highestDensity, relativeDensity } from './layers/cells.js';
 import { costRange } from './layers/matching.js';
 import { lowestQuality } from './layers/quads.js';
+import { lowestSize } from './layers/sizes.js';
 import { markOf } from './marks.js';
 import { rangeOf } from './sampler.js';
 
@@ -64,7 +65,7 @@ const legends = {
     if (!frame?.sizes?.sizes.length) return null;
     const { low, high } = rangeOf(frame.sizes.sizes);
     if (high < 1.02 * low) return [words(`${short(low)} everywhere`)];
-    return [ramped(palette.ramps.sizes, short(low), short(high), 'in equal ratios')];
+    return [ramped(palette.ramps.sizes, short(lowestSize(frame.sizes.sizes)), short(high), `least ${short(low)}`)];
   },
   matching: matchingLegend,
   quads({ frame, palette }) {

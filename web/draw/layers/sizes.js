@@ -19,13 +19,23 @@ export function* drawSizes(pen, { frame, palette }, view) {
   const known = once(layer, 'contours', () => /** @type {{made?: Made}} */ ({}));
   known.made ??= yield* contoursOf(layer);
   const { bands, lines, bandCount } = known.made;
-  const share = (/** @type {number} */ i) => (bandCount > 1 ? bands.band[i] / (bandCount - 1) : 0.9);
+  const { low, high } = rangeOf(layer.sizes), used = Math.log(high / low) / Math.log(high / lowestSize(layer.sizes));
+  const share = (/** @type {number} */ i) => 1 - used * (1 - (bands.band[i] + 0.5) / bandCount);
   const shade = (/** @type {number} */ i) => Math.round((shadeCount - 1) * share(i));
   const rows = { points: bands.points, vertices: null, offsets: bands.offsets };
   yield* fillRows(pen, rows, shade, shadesOf(palette.ramps.sizes), view);
   pen.strokeStyle = palette.ink;
   pen.lineWidth = 0.6;
   yield* strokeLines(pen, lines, view);
+}
+
+/**
+ * Where the ramp begins: sizes that differ by less than a factor of two look alike.
+ * @param {ArrayLike<number>} sizes
+ */
+export function lowestSize(sizes) {
+  const { low, high } = rangeOf(sizes);
+  return Math.min(low, high / 2);
 }
 
 /** Bands of the logarithm; about 12 percent from one to the next, 16 at most. @param {Sizes} layer */
