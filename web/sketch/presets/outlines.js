@@ -54,7 +54,7 @@ export function airfoil(digits, count) {
 
 /** The letter a: a bowl and a stem. @returns {{outline: Point[], counter: Point[]}} */
 export function letter() {
-  const bowl = sampled((t) => polarOval(0.42, 0.5, 0.42, 0.5, 2 * Math.PI * (0.16 + 0.68 * t) * 1), 25).slice(0, 24);
+  const bowl = Array.from({ length: 24 }, (_, i) => polarOval(0.42, 0.5, 0.42, 0.5, 2 * Math.PI * (0.16 + 0.68 * i / 23)));
   return {
     outline: [...bowl, [0.66, 0.08], [0.66, 0], [0.9, 0], [0.9, 1], [0.66, 1], [0.66, 0.9]],
     counter: sampled((t) => polarOval(0.43, 0.5, 0.2, 0.29, 2 * Math.PI * t), 24),
