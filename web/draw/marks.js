@@ -18,8 +18,8 @@ export function markOf(palette, excess) {
   return { ...byExcess[kind], colour: palette.valence[kind] };
 }
 
-/** Corners round (0, 0) within radius 1, y down. @param {Shape} shape @returns {[number, number][]} */
-export function cornersOf(shape) {
+/** @param {Shape} shape  @returns {[number, number][]} */
+function cornersFor(shape) {
   if (shape === 'diamond') return [[0, -1.15], [0.7, 0], [0, 1.15], [-0.7, 0]];
   const count = { triangle: 3, pentagon: 5, star: 12 }[shape];
   return Array.from({ length: count }, (_, i) => {
@@ -28,6 +28,14 @@ export function cornersOf(shape) {
     return [reach * Math.cos(angle), reach * Math.sin(angle)];
   });
 }
+
+const corners = {
+  diamond: cornersFor('diamond'), triangle: cornersFor('triangle'),
+  pentagon: cornersFor('pentagon'), star: cornersFor('star'),
+};
+
+/** Corners round (0, 0) within radius 1 or a little more, y down. @param {Shape} shape */
+export const cornersOf = (shape) => corners[shape];
 
 /**
  * With a rim that keeps it apart from what is below.
@@ -50,11 +58,22 @@ export function drawMark(pen, shape, x, y, radius, colour, rim) {
  */
 export function drawMarkInBulk(pen, shape, x, y, radius, colour, rim) {
   if (!pen.fillPolygon) return drawMark(pen, shape, x, y, radius, colour, rim);
-  const corners = cornersOf(shape);
-  const scaled = (/** @type {number} */ reach) =>
-    Float64Array.from(corners.flatMap(([cx, cy]) => [x + reach * cx, y + reach * cy]));
-  pen.fillPolygon(scaled(radius + 1), corners.length, packedOf(rim));
-  pen.fillPolygon(scaled(radius), corners.length, packedOf(colour));
+  fillShape(pen, cornersOf(shape), x, y, radius + 1, packedOf(rim));
+  fillShape(pen, cornersOf(shape), x, y, radius, packedOf(colour));
+}
+
+const placed = new Float64Array(24);  // a star's
+
+/**
+ * @param {Pen} pen  @param {[number, number][]} shape  @param {number} x  @param {number} y  @param {number} reach
+ * @param {number} rgba
+ */
+function fillShape(pen, shape, x, y, reach, rgba) {
+  shape.forEach(([cx, cy], i) => {
+    placed[2 * i] = x + reach * cx;
+    placed[2 * i + 1] = y + reach * cy;
+  });
+  pen.fillPolygon?.(placed, shape.length, rgba);
 }
 
 /** @param {Pen} pen  @param {Shape} shape  @param {number} x  @param {number} y  @param {number} radius */
