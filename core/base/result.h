@@ -36,10 +36,10 @@ enum class ErrorCode {
   too_many_elements,         // refused before allocating
   too_large,                 // a file or count beyond the stated limits
   // not the input's fault
-  no_valid_mesh,             // no mesh that passes the final check was found
+  no_valid_mesh,  // no mesh that passes the final check was found
   out_of_memory,
   cancelled,
-  io_error,                  // a file cannot be read or written
+  io_error,  // a file cannot be read or written
 };
 
 /// Stable upper-case name, the same in C++, JSON, CLI and JavaScript: "SELF_INTERSECTION".
@@ -52,8 +52,9 @@ struct Where {
   Index edge = none;        // edge i runs from point i to point i+1 of that loop
   Index other_loop = none;  // the second edge of a crossing, touch or overlap
   Index other_edge = none;
+  Index guide = none;  // index of the guide as given; `edge` is then one of its points
   bool has_point = false;
-  double x = 0, y = 0;      // coordinates in the caller's units
+  double x = 0, y = 0;                    // coordinates in the caller's units
   std::int64_t line = none, byte = none;  // of a file, 1-based line, 0-based byte
 };
 

@@ -27,10 +27,17 @@ struct DomainInput {
     Vec2 position;  // inside the domain; becomes a mesh vertex
     std::string tag;
   };
+  struct SizeAt {
+    Vec2 position;
+    double h = 0;
+  };
+  using Guide = std::vector<Vec2>;
   std::vector<Region> regions;  // one unnamed region for a plain {loops}
   std::vector<Polyline> polylines;
   std::vector<Point> points;
-  double h = 0;  // mesh size that came with the domain, 0 = none
+  double h = 0;               // mesh size that came with the domain, 0 = none
+  std::vector<SizeAt> sizes;  // target sizes at points
+  std::vector<Guide> guides;  // strokes whose direction the quads follow; no edges of the mesh
 };
 
 struct DomainOptions {

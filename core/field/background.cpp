@@ -115,13 +115,17 @@ BackgroundBuilder::BackgroundBuilder(const BoundaryMesh& boundary,
     const Vec2 a = boundary.points[s.a], b = boundary.points[s.b];
     tree_.refine_at(midpoint(a, b), leaf_slack * distance(a, b));
   }
-  for (const Source& s : sources) tree_.refine_at(s.position, leaf_slack * s.side);
+  refine(sources);
   if (coarsest > 0)
     tree_.descend([&](Index cell, const Quadtree::Box& box) {
       if (tree_.is_leaf(cell) && box.side > coarsest) tree_.split(cell);
       return true;
     });
   tree_.balance();
+}
+
+void BackgroundBuilder::refine(const std::vector<Source>& sources) {
+  for (const Source& s : sources) tree_.refine_at(s.position, leaf_slack * s.side);
 }
 
 // Leaves whose centre is too near a wall or an isolated node.

@@ -24,6 +24,9 @@ class BackgroundBuilder {
   BackgroundBuilder(const BoundaryMesh& boundary, const std::vector<Source>& sources,
                     double coarsest);
 
+  /// Makes fine() at least as fine at more places.
+  void refine(const std::vector<Source>& sources);
+
   /// Graded by the walls alone: leaves grow with the distance to them. About O(#B log) vertices.
   Result<TriMesh> coarse() const;
 

@@ -9,8 +9,8 @@
 namespace lpq {
 namespace {
 
-// Below this length the mean of two unit wall values says nothing: their crosses differ by more
-// than about 36 degrees of the possible 45.
+// Below this length the mean of two unit values of walls or guides says nothing: their crosses
+// differ by more than about 36 degrees of the possible 45.
 constexpr double consistent_mean = 0.3;
 // Areas of needle triangles are kept above this share of their squared longest edge, or rounding
 // could make an entry of the stiffness matrix negative.
@@ -19,7 +19,7 @@ constexpr double least_area_ratio = 1e-13;
 struct Edges {
   std::vector<Index> of_half_edge;  // #half-edges
   std::vector<Index> half_edge;     // #edges  one of its half-edges
-  std::vector<char> wall;           // #edges
+  std::vector<char> wall, guided;   // #edges
 };
 
 Edges edges_of(const TriMesh& mesh) {
@@ -76,15 +76,25 @@ void assemble(const TriMesh& mesh, const Edges& edges, std::span<const Index> un
   }
 }
 
-std::vector<Vec2> solve_on_edges(const TriMesh& mesh, const Edges& edges) {
+// The value that holds on an edge; zero where there is none.
+Vec2 given_on(const TriMesh& mesh, Index e, bool wall, const ChordTree& guides) {
+  if (wall) return cross_of(edge_vector(mesh, e));
+  const auto [sum, count] =
+      guides.meeting(mesh.points[mesh.origin(e)], mesh.points[mesh.target(e)]);
+  return length(sum) > consistent_mean * count ? normalised(sum) : Vec2{0, 0};
+}
+
+std::vector<Vec2> solve_on_edges(const TriMesh& mesh, Edges& edges, const ChordTree& guides) {
   std::vector<Vec2> value(edges.half_edge.size());
+  edges.guided.assign(value.size(), 0);
   std::vector<Index> unknown(edges.half_edge.size(), none);
   Index n = 0;
   for (std::size_t i = 0; i < value.size(); ++i) {
-    if (edges.wall[i])
-      value[i] = cross_of(edge_vector(mesh, edges.half_edge[i]));
-    else
+    value[i] = given_on(mesh, edges.half_edge[i], edges.wall[i] != 0, guides);
+    if (value[i] == Vec2{0, 0})
       unknown[i] = n++;
+    else
+      edges.guided[i] = !edges.wall[i];
   }
   std::vector<Triplet> matrix;
   matrix.reserve(static_cast<std::size_t>(3) * mesh.twins.size());
@@ -97,31 +107,54 @@ std::vector<Vec2> solve_on_edges(const TriMesh& mesh, const Edges& edges) {
   return value;
 }
 
-// Wall vertices take their walls' values where these agree; where they cancel (a corner of 45
-// degrees is the worst) the solution beside the corner decides, and only then the first wall.
+struct Mean {
+  Vec2 sum;
+  Index count = 0;
+  void add(Vec2 z) {
+    sum += z;
+    ++count;
+  }
+  bool agrees() const { return count > 0 && length(sum) > consistent_mean * count; }
+};
+
+// Wall vertices take their walls' values where these agree, others those of guided edges; where
+// they cancel (a corner of 45 degrees is the worst) the solution beside the corner decides, and
+// only then the first wall.
 std::vector<Vec2> average_to_vertices(const TriMesh& mesh, const Edges& edges,
                                       std::span<const Vec2> value) {
   const std::size_t count = mesh.points.size();
-  std::vector<Vec2> inner(count), walls(count), first(count);
-  std::vector<Index> wall_count(count, 0);
+  std::vector<Vec2> inner(count), first(count);
+  std::vector<Mean> walls(count), guides(count);
   for (std::size_t i = 0; i < value.size(); ++i) {
     const Index e = edges.half_edge[i];
     for (const Index v : {mesh.origin(e), mesh.target(e)}) {
-      if (!edges.wall[i]) {
-        inner[v] += value[i];
+      if (edges.wall[i]) {
+        if (walls[v].count == 0) first[v] = value[i];
+        walls[v].add(value[i]);
       } else {
-        if (wall_count[v]++ == 0) first[v] = value[i];
-        walls[v] += value[i];
+        inner[v] += value[i];
+        if (edges.guided[i]) guides[v].add(value[i]);
       }
     }
   }
   std::vector<Vec2> z(count);
   for (std::size_t v = 0; v < count; ++v) {
-    const bool agreed = wall_count[v] > 0 && length(walls[v]) > consistent_mean * wall_count[v];
-    z[v] = normalised(agreed ? walls[v] : inner[v]);
+    z[v] = normalised(walls[v].agrees()    ? walls[v].sum
+                      : guides[v].agrees() ? guides[v].sum
+                                           : inner[v]);
     if (squared_length(z[v]) == 0) z[v] = first[v];
   }
   return z;
+}
+
+// Every end of an edge that a guide holds is held.
+std::vector<Vec2> pull_of(const TriMesh& mesh, const Edges& edges, std::span<const Vec2> z) {
+  std::vector<Vec2> pull(z.size());
+  for (std::size_t i = 0; i < edges.guided.size(); ++i)
+    if (edges.guided[i])
+      for (const Index v : {mesh.origin(edges.half_edge[i]), mesh.target(edges.half_edge[i])})
+        pull[v] = z[v];
+  return pull;
 }
 
 // Winding number of z round a triangle by counting crossings of the negative real axis along the
@@ -140,9 +173,12 @@ int winding(Vec2 a, Vec2 b, Vec2 c) {
 
 }  // namespace
 
-std::vector<Vec2> solve_cross_field(const TriMesh& mesh) {
-  const Edges edges = edges_of(mesh);
-  return average_to_vertices(mesh, edges, solve_on_edges(mesh, edges));
+CrossField solve_cross_field(const TriMesh& mesh, std::span<const Chord> guides) {
+  Edges edges = edges_of(mesh);
+  const std::vector<Vec2> value = solve_on_edges(mesh, edges, ChordTree(guides));
+  CrossField field{average_to_vertices(mesh, edges, value), {}};
+  if (!guides.empty()) field.pull = pull_of(mesh, edges, field.z);
+  return field;
 }
 
 std::vector<Singularity> find_singularities(const TriMesh& mesh, std::span<const Vec2> z) {

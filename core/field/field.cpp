@@ -36,6 +36,7 @@ Fields::Fields(const Fields& other)
     : background(other.background),
       z(other.z),
       h(other.h),
+      pull(other.pull),
       singularities(other.singularities),
       locator(background),
       cells_(other.cells_) {}
@@ -44,6 +45,7 @@ Fields::Fields(Fields&& other) noexcept
     : background(std::move(other.background)),
       z(std::move(other.z)),
       h(std::move(other.h)),
+      pull(std::move(other.pull)),
       singularities(std::move(other.singularities)),
       locator(background),
       cells_(std::move(other.cells_)) {}
@@ -52,6 +54,7 @@ Fields& Fields::operator=(Fields other) noexcept {
   background = std::move(other.background);
   z = std::move(other.z);
   h = std::move(other.h);
+  pull = std::move(other.pull);
   singularities = std::move(other.singularities);
   cells_ = std::move(other.cells_);
   locator = Locator(background);
@@ -154,6 +157,15 @@ FieldSample Fields::sample(Vec2 p, Index& hint) const {
 double Fields::size(Vec2 p, Index& hint) const {
   const Cell& cell = cell_at(p, hint);
   return cell.h + dot(cell.h_gradient, p - cell.origin);
+}
+
+Vec2 Fields::pull_at(Vec2 p, Index& hint) const {
+  if (pull.empty()) return {0, 0};
+  const Cell& cell = cell_at(p, hint);
+  const Vec2 d = p - cell.origin;
+  const double l1 = dot(cell.lambda_1, d), l2 = dot(cell.lambda_2, d);
+  const auto [a, b, c] = background.triangles[hint];
+  return (1 - l1 - l2) * pull[a] + l1 * pull[b] + l2 * pull[c];
 }
 
 Vec2 axis_of(Vec2 z) {

@@ -25,8 +25,9 @@ struct Singularity {
 
 struct Fields {
   TriMesh background;
-  std::vector<Vec2> z;    // #V background  unit e^{4 i theta} (zero only where undefined)
-  std::vector<double> h;  // #V background  target size, > 0
+  std::vector<Vec2> z;     // #V background  unit e^{4 i theta} (zero only where undefined)
+  std::vector<double> h;   // #V background  target size, > 0
+  std::vector<Vec2> pull;  // #V background  z where quads are to follow it, else 0; or empty
   std::vector<Singularity> singularities;
   Locator locator;  // over `background`
 
@@ -43,6 +44,8 @@ struct Fields {
   FieldSample sample(Vec2 p, Index& hint) const;
   /// Size only (cheaper).
   double size(Vec2 p, Index& hint) const;
+  /// The interpolated pull: direction z, length 0 to 1.
+  Vec2 pull_at(Vec2 p, Index& hint) const;
   /// Triangle that contains p, reached from triangle `from` without crossing a wall; none when a
   /// wall is in the way. Never searches: the test "can y be seen from x" of the point packings.
   Index walk(Vec2 p, Index from) const;

@@ -11,6 +11,7 @@
 
 #include "field/background.h"
 #include "field/cross_field.h"
+#include "field/guides.h"
 #include "field/size_field.h"
 #include "numerics/elementary.h"
 
@@ -36,6 +37,31 @@ Error error_at(ErrorCode code, std::string message, Vec2 at) {
 }
 Error bad_size(std::string message) { return {ErrorCode::bad_size, std::move(message), {}}; }
 
+// Points so far away that their squares overflow are as good as infinite.
+std::optional<Error> judge_guide(const DomainInput::Guide& guide, Index number) {
+  const std::string name = "guide " + std::to_string(number);
+  Error error{ErrorCode::bad_option, {}, {}};
+  error.where.guide = number;
+  for (std::size_t i = 0; i < guide.size(); ++i)
+    if (!std::isfinite(squared_length(guide[i]))) {
+      error.code = ErrorCode::non_finite;
+      error.message = "Point " + std::to_string(i) + " of " + name + " is not finite.";
+      error.where.edge = static_cast<Index>(i);
+      return error;
+    }
+  if (guide.size() < 2) {
+    error.message = "A guide needs at least two points, but " + name + " has " +
+                    std::to_string(guide.size()) + ".";
+    return error;
+  }
+  for (const Vec2 p : guide)
+    if (!(p == guide.front())) return std::nullopt;
+  error = error_at(error.code, "All points of " + name + " are the same: it has no direction.",
+                   guide.front());
+  error.where.guide = number;
+  return error;
+}
+
 std::optional<Error> judge(const FieldOptions& options) {
   if (!(options.size == 0 || good_size(options.size)))
     return bad_size("The mesh size must be a positive number.");
@@ -46,6 +72,8 @@ std::optional<Error> judge(const FieldOptions& options) {
     if (!good_size(s.h) || !is_finite(s.position))
       return error_at(ErrorCode::bad_size,
                       "A mesh size given at a point must be a positive number.", s.position);
+  for (std::size_t i = 0; i < options.guides.size(); ++i)
+    if (auto error = judge_guide(options.guides[i], static_cast<Index>(i))) return error;
   return std::nullopt;
 }
 
@@ -102,18 +130,19 @@ double interpolate(const TriMesh& mesh, std::span<const double> h, Index t, cons
   return w[0] * h[a] + w[1] * h[b] + w[2] * h[c];
 }
 
-Result<std::vector<Vec2>> crosses(const TriMesh& mesh, const FieldOptions& options) {
-  if (!options.angle_function) return solve_cross_field(mesh);
-  std::vector<Vec2> z;
-  z.reserve(mesh.points.size());
+Result<CrossField> crosses(const TriMesh& mesh, const FieldOptions& options,
+                           std::span<const Chord> guides) {
+  if (!options.angle_function) return solve_cross_field(mesh, guides);
+  CrossField field;
+  field.z.reserve(mesh.points.size());
   for (const Vec2 p : mesh.points) {
     const double angle = options.angle_function(p);
     if (!std::isfinite(angle))
       return error_at(ErrorCode::non_finite, "The direction is not a finite number here.", p);
     const auto [s, c] = sin_cos(4 * angle);
-    z.push_back({c, s});
+    field.z.push_back({c, s});
   }
-  return z;
+  return field;
 }
 
 double extent_of(const BoundaryMesh& boundary) {
@@ -150,6 +179,8 @@ Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& opt
     const double far = interpolate(*coarse, depth, t, weights) / (coarsening_depth * h);
     return options.coarseness * h * std::sqrt(std::max(far, 1.0));
   };
+  const std::vector<Chord> guides = chords_of(options.guides, *coarse, coarse_h);
+  builder.refine(sources_along(guides));
   std::vector<double> interior_h;
   Result<TriMesh> fine = builder.fine(*coarse, largest_leaf, size_at, interior_h);
   if (!fine) return fine.error();
@@ -164,9 +195,10 @@ Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& opt
   }
   if (auto error = complete_sizes(fields.background, boundary, options, fields.h))
     return std::move(*error);
-  auto z = crosses(fields.background, options);
-  if (!z) return z.error();
-  fields.z = std::move(*z);
+  auto field = crosses(fields.background, options, guides);
+  if (!field) return field.error();
+  fields.z = std::move(field->z);
+  fields.pull = std::move(field->pull);
   fields.singularities = find_singularities(fields.background, fields.z);
   fields.attach();
   return fields;

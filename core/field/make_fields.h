@@ -19,6 +19,7 @@ struct FieldOptions {
   double size = 0;                             // constant target, 0 = from the boundary spacing
   std::vector<SizeSample> sizes;               // the caller's values at points (nearest-graded)
   std::function<double(Vec2)> size_function;   // the caller's callable, unit frame; wins over both
+  std::vector<DomainInput::Guide> guides;      // the caller's strokes, unit frame
   std::function<double(Vec2)> angle_function;  // the caller's theta(x); replaces the Laplace solve
   double growth = 0.3;                         // largest slope of h; > 0
   double coarseness = 3;  // background spacing in units of h off the walls; more beyond 20 h
@@ -26,10 +27,12 @@ struct FieldOptions {
 
 /// Background triangulation graded from the boundary, cross field by Laplace's equation on
 /// (cos 4 theta, sin 4 theta) with the walls' directions as Dirichlet data on wall *edges*
-/// (Crouzeix-Raviart unknowns, so a corner never averages two directions), size field by Laplace on
+/// (Crouzeix-Raviart unknowns, so a corner never averages two directions), likewise the guides' on
+/// edges that they meet, where the background is as fine as the target; size field by Laplace on
 /// log h from the spacing (or the caller's), limited to the given growth.
-/// Errors: bad_size; non_finite for an angle.  Cost: two sparse Cholesky factorisations of the
-/// background.
+/// Errors: bad_size; non_finite for an angle or a guide; bad_option for a guide without a direction
+/// (see Where::guide).  Cost: two sparse Cholesky
+/// factorisations of the background.
 Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& options = {});
 
 }  // namespace lpq

@@ -13,6 +13,7 @@ void each_place(const Where& where, Visit&& visit) {
     if (value != none) visit(name, value);
   };
   index("region", where.region);
+  index("guide", where.guide);
   index("loop", where.loop);
   index("edge", where.edge);
   index("otherLoop", where.other_loop);
