@@ -98,8 +98,20 @@ AreaTerm area_term(double twice_area, double unit, double weight) {
           0.5 * weight * unit * (1 - inverse * inverse) * damping * damping};
 }
 
+// The direction term of one edge: value, and its derivative by the angle of the edge.
+struct DirectionTerm {
+  double value = 0, slope = 0;
+};
+
+DirectionTerm direction_term(Vec2 edge, double squared, Vec2 pull) {
+  const Vec2 fourth = (1 / (squared * squared)) *
+                      complex_product(complex_product(edge, edge), complex_product(edge, edge));
+  const Vec2 turned = complex_product(fourth, conjugate(pull));
+  return {length(pull) - turned.x, 4 * turned.y};
+}
+
 template <int N>
-Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
+Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit, Vec2 pull,
                     const EtaEnergyOptions& options, std::span<Vec2> gradient) {
   constexpr double target = N == 4 ? 0.0 : 1.0 / 3.0;  // 90 or 60 degrees, from 90, over 90
   const Corners<N> corners(face, points);
@@ -138,6 +150,12 @@ Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
         2 * options.size_weight * unit * (1 - inverse_s * inverse_s) * damping[k] * damping[k];
   }
   for (int k = 0; k < N; ++k) sum += options.size_weight * misfit[k] * damping[k];
+  if (N == 4 && !(pull == Vec2{0, 0}))
+    for (int k = 0; k < N; ++k) {
+      const DirectionTerm term = direction_term(corners.edge[k], corners.squared[k], pull);
+      sum += options.pull_weight * term.value;
+      turn[k] += options.pull_weight * term.slope / corners.squared[k];
+    }
   double growth = 0;
   if (N == 4 && options.area_weight > 0) {
     const AreaTerm term = area_term(area[1] + area[3], unit, options.area_weight);
@@ -192,14 +210,15 @@ Evaluation mean_ratio_energy(std::span<const Face> faces, std::span<const Vec2> 
 
 Evaluation eta_energy(std::span<const Face> faces, std::span<const Vec2> points,
                       std::span<const double> inverse_square, const EtaEnergyOptions& options,
-                      std::span<Vec2> gradient) {
+                      std::span<Vec2> gradient, std::span<const Vec2> pull) {
   return sum_faces(
       faces, inverse_square,
       [&](std::size_t f) {
-        return eta_face<4>(faces[f], points, inverse_square[f], options, gradient);
+        const Vec2 z = pull.empty() ? Vec2{0, 0} : pull[f];
+        return eta_face<4>(faces[f], points, inverse_square[f], z, options, gradient);
       },
       [&](std::size_t f) {
-        return eta_face<3>(faces[f], points, inverse_square[f], options, gradient);
+        return eta_face<3>(faces[f], points, inverse_square[f], {}, options, gradient);
       });
 }
 

@@ -7,7 +7,8 @@
 //                the corners' angle deviations |2 alpha / pi - 1|: a smooth 1 - eta, with a soft
 //                floor that pushes the worst faces harder. Length term: m / (1 + m / 16) with
 //                m = s + 1/s - 2 of the squared edge length s over h^2, which is ln^2(s) to second
-//                order without a logarithm, and bounded.
+//                order without a logarithm, and bounded. Where quads must follow crosses z, a
+//                direction term |z| - Re(u^4 conj z) for the direction u of every edge.
 // Corner angles come from tan(phi / 2) = dot / (|e1||e2| + cross) and one polynomial, so only
 // + - * / sqrt decide the bits. Triangles aim at 60 degrees. Cost: about 60 ns per face.
 #pragma once
@@ -34,6 +35,7 @@ struct EtaEnergyOptions {
   double rounding = 1e-4;         // d counts as sqrt(d^2 + rounding^2): no kink at right angles
   double floor_deviation = 0.36;  // e0 = 1 - the eta below which the floor pushes
   double floor_weight = 100;      // g
+  double pull_weight = 2;         // of the direction term, per edge and side
 };
 
 /// `inverse_square[f]` is 1/s^2 of the face; 0 leaves the face out. Adds to `gradient`.
@@ -41,10 +43,11 @@ Evaluation mean_ratio_energy(std::span<const Face> faces, std::span<const Vec2> 
                              std::span<const double> inverse_square,
                              const MeanRatioOptions& options, std::span<Vec2> gradient);
 
-/// outside_domain when a corner of a face that counts is not a left turn.
+/// outside_domain when a corner of a face that counts is not a left turn. `pull[f]`, if any, is a
+/// z towards whose cross the edges of quad f turn, the firmer the longer it is.
 Evaluation eta_energy(std::span<const Face> faces, std::span<const Vec2> points,
                       std::span<const double> inverse_square, const EtaEnergyOptions& options,
-                      std::span<Vec2> gradient);
+                      std::span<Vec2> gradient, std::span<const Vec2> pull = {});
 
 /// Least J of all corners of the faces that count: the measure of how tangled they are.
 double smallest_corner(std::span<const Face> faces, std::span<const Vec2> points,

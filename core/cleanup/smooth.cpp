@@ -141,12 +141,18 @@ std::vector<double> target_inverse_squares(const QuadMesh& mesh, const Fields& f
   result.reserve(mesh.faces.size());
   Index hint = none;
   for (const Face& face : mesh.faces) {
-    const int n = corner_count(face);
-    Vec2 sum;
-    for (int k = 0; k < n; ++k) sum += mesh.points[face[k]];
-    const double h = fields.size((1.0 / n) * sum, hint);
+    const double h = fields.size(centre_of(mesh.points, face), hint);
     result.push_back(1 / (h * h));
   }
+  return result;
+}
+
+std::vector<Vec2> target_pulls(const QuadMesh& mesh, const Fields& fields) {
+  std::vector<Vec2> result;
+  if (fields.pull.empty()) return result;
+  Index hint = none;
+  for (const Face& face : mesh.faces)
+    result.push_back(fields.pull_at(centre_of(mesh.points, face), hint));
   return result;
 }
 
@@ -160,12 +166,13 @@ void smooth_eta(QuadMesh& mesh, const Fields& fields, const SmoothOptions& optio
   const std::vector<Vec2> before = mesh.points;
   std::vector<double> targets = target_inverse_squares(mesh, fields);
   if (options.lift) lift_worst(mesh, etas, targets, energy);
+  const std::vector<Vec2> pulls = target_pulls(mesh, fields);
   int left = options.iterations;
   for (const double bound : pinned_below) {
     if (left <= 0) break;
     const std::vector<double> sizes = pin_worst(mesh, bound, targets);
     left -= descend(mesh, sizes, left, [&](std::span<const Vec2> points, std::span<Vec2> gradient) {
-      return eta_energy(mesh.faces, points, targets, energy, gradient);
+      return eta_energy(mesh.faces, points, targets, energy, gradient, pulls);
     });
   }
   take_back(mesh, before, least);

@@ -30,5 +30,7 @@ void smooth_guarded(QuadMesh& mesh, int sweeps);
 
 /// 1/h^2 at the centre of every face, from the size field.
 std::vector<double> target_inverse_squares(const QuadMesh& mesh, const Fields& fields);
+/// The pull at the centre of every face; empty where fields have none.
+std::vector<Vec2> target_pulls(const QuadMesh& mesh, const Fields& fields);
 
 }  // namespace lpq

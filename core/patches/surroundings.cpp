@@ -40,7 +40,9 @@ Surroundings::Surroundings(const QuadTopology& mesh, const Fields& fields, const
   std::sort(numbers_.begin(), numbers_.end());
   for (const Index f : outside_) {
     Face face = mesh_.face(f);
-    ring_target_.push_back(target(mesh_.points(), face));
+    const Vec2 centre = centre_of(mesh_.points(), face);
+    ring_target_.push_back(target(centre));
+    if (pulls()) ring_pull_.push_back(pull(centre));
     for (int k = 0; k < corner_count(mesh_.face(f)); ++k) face[k] = local(face[k]);
     ring_.push_back(face);
   }
@@ -74,11 +76,8 @@ Index Surroundings::local(Index v) const {
   return (*std::lower_bound(numbers_.begin(), numbers_.end(), std::array<Index, 2>{v, none}))[1];
 }
 
-double Surroundings::target(const std::vector<Vec2>& points, const Face& face) const {
-  const int n = corner_count(face);
-  Vec2 sum;
-  for (int k = 0; k < n; ++k) sum += points[face[k]];
-  const double h = fields_.size((1.0 / n) * sum, hint_);
+double Surroundings::target(Vec2 centre) const {
+  const double h = fields_.size(centre, hint_);
   return 1 / (h * h);
 }
 
@@ -93,8 +92,10 @@ double Surroundings::energy_now(const EtaEnergyOptions& options) const {
     points.clear();
     for (int k = 0; k < n; ++k) points.push_back(mesh_.point(face[k]));
     const Face alone{0, 1, 2, n == 4 ? 3 : none};
-    const double unit = target(mesh_.points(), face);
-    const Evaluation one = eta_energy({&alone, 1}, points, {&unit, 1}, options, gradient);
+    const Vec2 centre = centre_of(mesh_.points(), face);
+    const double unit = target(centre);
+    const Vec2 z = pull(centre);
+    const Evaluation one = eta_energy({&alone, 1}, points, {&unit, 1}, options, gradient, {&z, 1});
     sum += one.status == EvalStatus::ok ? std::min(one.value, invalid_energy) : invalid_energy;
   }
   return sum;
@@ -113,11 +114,14 @@ Trial Surroundings::place(const Filling& filling) const {
   for (Face face : filling.faces) {
     for (Index& v : face) v = v < length ? number[v] : first_new + v;
     trial.mesh.faces.push_back(face);
-    trial.target.push_back(target(trial.mesh.points, face));
+    const Vec2 centre = centre_of(trial.mesh.points, face);
+    trial.target.push_back(target(centre));
+    if (pulls()) trial.pull.push_back(pull(centre));
   }
   trial.filled = static_cast<Index>(trial.mesh.faces.size());
   trial.mesh.faces.insert(trial.mesh.faces.end(), ring_.begin(), ring_.end());
   trial.target.insert(trial.target.end(), ring_target_.begin(), ring_target_.end());
+  trial.pull.insert(trial.pull.end(), ring_pull_.begin(), ring_pull_.end());
   return trial;
 }
 
@@ -136,7 +140,7 @@ bool Surroundings::relax(Trial& trial, const RelaxOptions& options) const {
     if (worst >= 1e-3) break;
   }
   const auto energy = [&](std::span<const Vec2> points, std::span<Vec2> gradient) {
-    return eta_energy(mesh.faces, points, trial.target, options.energy, gradient);
+    return eta_energy(mesh.faces, points, trial.target, options.energy, gradient, trial.pull);
   };
   if (smallest_corner(mesh.faces, mesh.points, trial.target) <= 0) return false;
   std::vector<Vec2> gradient(mesh.points.size());

@@ -13,6 +13,7 @@ namespace lpq {
 struct Trial {
   QuadMesh mesh;               // vertices of the surroundings first, as numbered there
   std::vector<double> target;  // #F  1/h^2 of each face
+  std::vector<Vec2> pull;      // #F  of each face, empty where fields have none
   Index filled = 0;            // the first faces are the filling's
   double energy = 0;           // of all faces
 };
@@ -44,7 +45,9 @@ class Surroundings {
  private:
   void collect(const PatchGrowth& patch, int rings);
   Index local(Index v) const;
-  double target(const std::vector<Vec2>& points, const Face& face) const;
+  double target(Vec2 centre) const;
+  bool pulls() const { return !fields_.pull.empty(); }
+  Vec2 pull(Vec2 centre) const { return fields_.pull_at(centre, hint_); }
 
   const QuadTopology& mesh_;
   const Fields& fields_;
@@ -55,6 +58,7 @@ class Surroundings {
   std::vector<Index> outside_;                 // faces of the rings
   std::vector<Face> ring_;                     // the same in local numbers
   std::vector<double> ring_target_;
+  std::vector<Vec2> ring_pull_;
   std::vector<Index> patch_;
   mutable Index hint_ = none;
 };

@@ -57,6 +57,28 @@ TEST_CASE("gradients agree with central differences") {
     });
     CHECK(error < 1e-6);
   }
+  std::vector<Vec2> pull(mesh.faces.size());
+  for (std::size_t f = 0; f < pull.size(); f += 2) pull[f] = {0.3, -0.6};
+  CHECK(gradient_error(mesh, [&](const QuadMesh& m, std::span<Vec2> gradient) {
+          return eta_energy(m.faces, m.points, unit, {.pull_weight = 3}, gradient, pull);
+        }) < 1e-6);
+}
+
+TEST_CASE("a pull costs nothing along its cross, and most at 45 degrees from it") {
+  const QuadMesh mesh = grid(3, 2);
+  const std::vector<double> unit(mesh.faces.size(), 1.0);
+  const auto cost = [&](Vec2 z) {
+    std::vector<Vec2> gradient(mesh.points.size());
+    const std::vector<Vec2> pull(mesh.faces.size(), z);
+    const EtaEnergyOptions options{.pull_weight = 1};
+    return (eta_energy(mesh.faces, mesh.points, unit, options, gradient, pull).value -
+            eta_energy(mesh.faces, mesh.points, unit, options, gradient).value) /
+           (4.0 * static_cast<double>(mesh.faces.size()));
+  };
+  CHECK(std::abs(cost({1, 0})) < 1e-12);
+  CHECK(std::abs(cost({0, 1}) - 1) < 1e-12);
+  CHECK(std::abs(cost({-1, 0}) - 2) < 1e-12);
+  CHECK(std::abs(cost({-0.5, 0}) - 1) < 1e-12);
 }
 
 TEST_CASE("the mean ratio is finite and its gradient right on tangled faces") {
