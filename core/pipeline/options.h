@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/fields.h"
+#include "domain/domain.h"
 #include "geometry/vec.h"
 
 namespace lpq {
@@ -51,15 +52,15 @@ struct Options {
   int max_elements = 10'000'000;
 };
 
-/// What the caller knows better than the mesher, in the caller's units; all optional.
+/// What the caller knows better than the mesher, in the caller's units; all optional. Sizes and
+/// guides given here stand in for those that came with the domain.
 struct UserFields {
-  struct SizeAt {
-    Vec2 position;
-    double h = 0;
-  };
+  using SizeAt = DomainInput::SizeAt;
+  using Guide = DomainInput::Guide;
   std::vector<SizeAt> sizes;          // target size at points
   std::function<double(Vec2)> size;   // target size anywhere; wins over `sizes` and Options::size
-  std::function<double(Vec2)> angle;  // direction of the crosses, radians; replaces the solve
+  std::vector<Guide> guides;          // strokes whose direction the crosses follow nearby
+  std::function<double(Vec2)> angle;  // direction of the crosses, radians; wins over all guides
   std::vector<Vec2> seeds;  // interior points to start L_p from; those not inside are left out
 };
 

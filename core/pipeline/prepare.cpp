@@ -86,6 +86,10 @@ FieldOptions field_options(const UnitFrame& frame, const Options& options, const
   fields.growth = options.growth;
   for (const UserFields::SizeAt& s : user.sizes)
     fields.sizes.push_back({frame.to_frame(s.position), frame.length_to_frame(s.h)});
+  for (const UserFields::Guide& guide : user.guides) {
+    fields.guides.emplace_back();
+    for (const Vec2 p : guide) fields.guides.back().push_back(frame.to_frame(p));
+  }
   if (user.size)
     fields.size_function = [frame, size_at = user.size](Vec2 p) {
       return frame.length_to_frame(size_at(frame.to_world(p)));
@@ -104,6 +108,13 @@ Result<bool> judge_seeds(const std::vector<Vec2>& seeds) {
                    "Seed point " + std::to_string(i) + " is not a pair of finite numbers.",
                    {}};
   return true;
+}
+
+// What the caller says now stands in for what came with the domain.
+UserFields with_those_of(const DomainInput& input, UserFields user) {
+  if (user.sizes.empty()) user.sizes = input.sizes;
+  if (user.guides.empty()) user.guides = input.guides;
+  return user;
 }
 
 // The fields know the unit frame only; people know their own coordinates.
@@ -135,9 +146,10 @@ Result<Preparation> prepare(const DomainInput& input, const Options& options,
   if (!boundary) return boundary.error();
   prepared.boundary = std::move(*boundary);
 
-  auto fields =
-      make_fields(prepared.boundary, field_options(prepared.domain.frame, options, user, *size));
-  if (!fields) return in_world(fields.error(), prepared.domain.frame);
+  const UnitFrame& frame = prepared.domain.frame;
+  auto fields = make_fields(prepared.boundary,
+                            field_options(frame, options, with_those_of(input, user), *size));
+  if (!fields) return in_world(fields.error(), frame);
   prepared.fields = std::move(*fields);
   for (const Vec2 seed : user.seeds) prepared.seeds.push_back(prepared.domain.frame.to_frame(seed));
   return prepared;
