@@ -73,6 +73,31 @@ TEST_CASE("regions, tags, polylines and points") {
   CHECK(again->points[1].tag == "probe");
 }
 
+TEST_CASE("sizes at points and guides") {
+  const auto input = parse_domain_json(R"({"guides": [[[0.1, 0.2], [0.3, 0.4]], [], [[1, 2]]],
+    "sizes": [[0.5, 0.25, 0.01], [0, 0, 2]], "loops": [[[0,0],[1,0],[1,1]]]})");
+  REQUIRE(input.has_value());
+  CHECK(input->regions.at(0).loops.at(0).size() == 3);
+  const auto again = parse_domain_json(write_domain_json(*input));
+  REQUIRE(again.has_value());
+  for (const DomainInput& read : {*input, *again}) {
+    using Guides = std::vector<DomainInput::Guide>;
+    CHECK(read.guides == Guides{{{0.1, 0.2}, {0.3, 0.4}}, {}, {{1, 2}}});
+    REQUIRE(read.sizes.size() == 2);
+    CHECK(read.sizes[0].position == Vec2{0.5, 0.25});
+    CHECK(read.sizes[0].h == 0.01);
+    CHECK(read.sizes[1].h == 2);
+  }
+  CHECK(mentions(refused(R"({"loops": [], "sizes": 0.1})"), "sizes should be an array"));
+  CHECK(
+      mentions(refused(R"({"loops": [], "sizes": [[1, 2]]})"), "sizes[0] should be a point with"));
+  CHECK(mentions(refused(R"({"loops": [], "sizes": [[1, 2, 3, 4]]})"), "sizes[0][3]"));
+  CHECK(mentions(refused(R"({"loops": [], "sizes": [[1, 2, "3"]]})"), "sizes[0][2]"));
+  CHECK(mentions(refused(R"({"loops": [], "guides": [[1, 2]]})"), "guides[0][0]"));
+  CHECK(mentions(refused(R"({"loops": [], "guides": [[[1, 2, 3]]]})"), "guides[0][0][2]"));
+  CHECK(refused(R"({"loops": [], "guides": [[[1, NaN]]]})").code == ErrorCode::non_finite);
+}
+
 TEST_CASE("wrong kinds of value are named by their path") {
   CHECK(mentions(refused(R"({"loops": [[[0, 0], [1, null]]]})"), "loops[0][1][1]"));
   CHECK(mentions(refused(R"({"loops": [[[0, 0], [1, "2"]]]})"), "loops[0][1][1]"));

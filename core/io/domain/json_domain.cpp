@@ -26,6 +26,10 @@ enum class Role {
   point_list,
   point,
   position,
+  size_list,
+  size_at,
+  guide_list,
+  guide,
   size,
   name,
 };
@@ -41,6 +45,8 @@ Role child_role(Role parent, const std::string& key) {
       if (key == "polylines") return Role::polyline_list;
       if (key == "points") return Role::point_list;
       if (key == "h") return Role::size;
+      if (key == "sizes") return Role::size_list;
+      if (key == "guides") return Role::guide_list;
       return Role::ignored;
     case Role::region:
       if (key == "name") return Role::name;
@@ -56,14 +62,18 @@ Role child_role(Role parent, const std::string& key) {
       if (key == "tag") return Role::name;
       return Role::ignored;
     case Role::loop_list: return Role::loop;
-    case Role::loop: return Role::coordinates;
+    case Role::loop:
+    case Role::guide: return Role::coordinates;
     case Role::coordinates:
+    case Role::size_at:
     case Role::position: return Role::coordinate;
     case Role::region_list: return Role::region;
     case Role::tag_table: return Role::tag_list;
     case Role::tag_list: return Role::name;
     case Role::polyline_list: return Role::polyline;
     case Role::point_list: return Role::point;
+    case Role::size_list: return Role::size_at;
+    case Role::guide_list: return Role::guide;
     default: return Role::ignored;
   }
 }
@@ -82,13 +92,17 @@ const char* expected(Role role, Kind kind) {
                                  : unless(Kind::object, "[x, y] or an object with \"position\"");
     case Role::coordinates:
     case Role::position: return unless(Kind::array, "a point [x, y]");
+    case Role::size_at: return unless(Kind::array, "a point with its size [x, y, h]");
     case Role::loop_list:
     case Role::loop:
     case Role::region_list:
     case Role::tag_table:
     case Role::tag_list:
     case Role::polyline_list:
-    case Role::point_list: return unless(Kind::array, "an array");
+    case Role::point_list:
+    case Role::size_list:
+    case Role::guide_list:
+    case Role::guide: return unless(Kind::array, "an array");
     case Role::coordinate:
     case Role::size: return unless(Kind::number, "a number");
     case Role::name: return unless(Kind::string, "a string");
@@ -151,6 +165,7 @@ class Reader final : public nlohmann::json_sax<nlohmann::json> {
   bool number(double value);
   bool open(Kind kind);
   bool close();
+  bool add_size(std::size_t count);
   void in_document_region();
   void create(Role role);
   std::string path() const;
@@ -161,7 +176,7 @@ class Reader final : public nlohmann::json_sax<nlohmann::json> {
   DomainInput input_;
   bool has_loops_ = false, has_regions_ = false, failed_ = false;
   bool has_position_ = false;  // of the point being read
-  double xy_[2] = {0, 0};
+  double xyh_[3] = {0, 0, 0};  // of the point being read, and its size
   Error error_;
 };
 
@@ -190,11 +205,11 @@ bool Reader::number(double value) {
   if (role == Role::size) input_.h = value;
   if (role != Role::coordinate) return true;
   const std::size_t axis = frames_.back().count - 1;
-  if (axis > 1) {
+  if (axis >= (frames_.back().role == Role::size_at ? 3 : 2)) {
     fail(ErrorCode::parse_error, path() + " is a third coordinate; a point is [x, y].");
     return false;
   }
-  xy_[axis] = value;
+  xyh_[axis] = value;
   return true;
 }
 
@@ -264,6 +279,7 @@ void Reader::create(Role role) {
       has_position_ = false;
       break;
     case Role::position: has_position_ = true; break;
+    case Role::guide: input_.guides.emplace_back(); break;
     default: break;
   }
 }
@@ -278,21 +294,34 @@ bool Reader::close() {
       frame.is_array && (frame.role == Role::coordinates || frame.role == Role::position ||
                          frame.role == Role::point);
   frames_.pop_back();
+  if (frame.role == Role::size_at) return add_size(frame.count);
   if (!is_point) return true;
   if (frame.count != 2) {
     fail(ErrorCode::parse_error, path() + " should be a point [x, y], but it has " +
                                      std::to_string(frame.count) + " coordinates.");
     return false;
   }
-  const Vec2 point{xy_[0], xy_[1]};
+  const Vec2 point{xyh_[0], xyh_[1]};
   if (frame.role != Role::coordinates) {
     input_.points.back().position = point;
+  } else if (frames_.back().role == Role::guide) {
+    input_.guides.back().push_back(point);
   } else if (frames_[frames_.size() - 2].role == Role::polyline) {
     input_.polylines.back().points.push_back(point);
   } else {
     input_.regions.back().loops.back().push_back(point);
   }
   return true;
+}
+
+bool Reader::add_size(std::size_t count) {
+  if (count == 3) {
+    input_.sizes.push_back({{xyh_[0], xyh_[1]}, xyh_[2]});
+    return true;
+  }
+  fail(ErrorCode::parse_error, path() + " should be a point with its size [x, y, h], but it has " +
+                                   std::to_string(count) + " numbers.");
+  return false;
 }
 
 bool Reader::parse_error(std::size_t, const std::string& token,

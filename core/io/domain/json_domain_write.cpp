@@ -35,6 +35,22 @@ void append_region(JsonWriter& json, const DomainInput::Region& region) {
   json.end_object();
 }
 
+// What steers size and direction, where there is any.
+void append_steering(JsonWriter& json, const DomainInput& domain) {
+  if (!domain.sizes.empty()) {
+    json.key("sizes");
+    json.begin_array();
+    for (const DomainInput::SizeAt& s : domain.sizes) json.tuple(s.position.x, s.position.y, s.h);
+    json.end_array();
+  }
+  if (!domain.guides.empty()) {
+    json.key("guides");
+    json.begin_array();
+    for (const DomainInput::Guide& guide : domain.guides) append_points(json, {}, guide);
+    json.end_array();
+  }
+}
+
 }  // namespace
 
 std::string write_domain_json(const DomainInput& domain) {
@@ -65,6 +81,7 @@ std::string write_domain_json(const DomainInput& domain) {
   }
   json.end_array();
   if (domain.h > 0) json.member("h", domain.h);
+  append_steering(json, domain);
   json.end_object();
   out += '\n';
   return out;
