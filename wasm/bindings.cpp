@@ -19,13 +19,12 @@
 namespace lpq {
 namespace {
 
-/// {sizes: Float64Array x, y, h, ..; seeds: Float64Array x, y, ..; size, angle: functions of
-/// (x, y)}, each optional.
+/// {sizes, guides: as in marshal.h; seeds: Float64Array x, y, ..; size, angle: functions of (x, y),
+/// or undefined}
 UserFields fields_from(const val& fields) {
   UserFields user;
-  const std::vector<double> at = doubles_from(fields["sizes"]);
-  for (std::size_t i = 0; i + 2 < at.size(); i += 3)
-    user.sizes.push_back({{at[i], at[i + 1]}, at[i + 2]});
+  user.sizes = sizes_from(fields["sizes"]);
+  user.guides = guides_from(fields["guides"]);
   const std::vector<double> seeds = doubles_from(fields["seeds"]);
   for (std::size_t i = 0; i + 1 < seeds.size(); i += 2)
     user.seeds.push_back({seeds[i], seeds[i + 1]});

@@ -161,7 +161,24 @@ DomainInput domain_from(const val& packed) {
   for (const Index tag : indices_from(packed["pointTags"]))
     domain.points.push_back({points.next(), name_at(tags, tag)});
   domain.h = packed["h"].as<double>();
+  domain.sizes = sizes_from(packed["sizesAt"]);
+  domain.guides = guides_from(packed["guides"]);
   return domain;
+}
+
+std::vector<DomainInput::SizeAt> sizes_from(const val& array) {
+  const std::vector<double> at = doubles_from(array);
+  std::vector<DomainInput::SizeAt> sizes;
+  for (std::size_t i = 0; i + 2 < at.size(); i += 3)
+    sizes.push_back({{at[i], at[i + 1]}, at[i + 2]});
+  return sizes;
+}
+
+std::vector<DomainInput::Guide> guides_from(const val& packed) {
+  Cursor points(points_from(packed["points"]));
+  std::vector<DomainInput::Guide> guides;
+  for (const Index count : indices_from(packed["sizes"])) guides.push_back(points.take(count));
+  return guides;
 }
 
 val to_js(const OutputMesh& mesh) {

@@ -37,8 +37,13 @@ std::vector<std::string> strings_from(const val& array);
 ///   sizes: Int32Array     points of each loop, then of each polyline
 ///   points: Float64Array  of all loops, all polylines, then the single points
 ///   tags: string[], edgeTags: Int32Array (per loop edge, -1 = untagged; empty = none),
-///   polylineTags, pointTags: Int32Array, h: number
+///   polylineTags, pointTags: Int32Array, h: number, sizesAt, guides: as below
 DomainInput domain_from(const val& packed);
+
+/// Float64Array x, y, h, ...
+std::vector<DomainInput::SizeAt> sizes_from(const val& array);
+/// {points: Float64Array of all guides, sizes: Int32Array of their numbers of points}
+std::vector<DomainInput::Guide> guides_from(const val& packed);
 
 /// The arrays of MeshResult in js/index.d.ts; `report` is added by the caller.
 val to_js(const OutputMesh& mesh);

@@ -176,6 +176,44 @@ test('sizes at points, a size function and an angle function are followed', () =
   checkMesh(turned);
 });
 
+/** Median angle, in degrees up to quarter turns, between a direction and the quads' sides at most r from a segment. */
+function medianAngle(mesh, [[ax, ay], [bx, by]], r) {
+  const [dx, dy] = [bx - ax, by - ay], angles = [];
+  for (let i = 0; i < mesh.quads.length; ++i) {
+    const next = i % 4 === 3 ? i - 3 : i + 1;
+    const [p, q] = [mesh.quads[i], mesh.quads[next]].map((v) => mesh.points.subarray(2 * v, 2 * v + 2));
+    const [x, y] = [(p[0] + q[0]) / 2 - ax, (p[1] + q[1]) / 2 - ay];
+    const s = Math.min(1, Math.max(0, (x * dx + y * dy) / (dx * dx + dy * dy)));
+    if (Math.hypot(x - s * dx, y - s * dy) > r) continue;
+    const turn = (Math.atan2(q[1] - p[1], q[0] - p[0]) - Math.atan2(dy, dx)) * (2 / Math.PI);
+    angles.push(90 * Math.abs(turn - Math.round(turn)));
+  }
+  return angles.sort((a, b) => a - b)[angles.length >> 1];
+}
+
+test('guides are followed, given with the call or with the domain', async () => {
+  const guide = [[0.25, 0.35], [0.75, 0.65]];
+  const mesh = lpquad.meshDomain(square, { size: 0.04, guides: [guide] });
+  checkMesh(mesh);
+  assert.ok(medianAngle(mesh, guide, 0.04) < 5);
+  assert.ok(medianAngle(lpquad.meshDomain(square, { size: 0.04 }), guide, 0.04) > 20);
+  const same = (domain, options) =>
+    assert.equal(meshHash(lpquad.meshDomain(domain, { size: 0.04, ...options })), meshHash(mesh));
+  same(square, { guides: [guide.flat()] });
+  same(square, { guides: [Float64Array.from(guide.flat())] });
+  same({ ...square, guides: [guide] }, {});
+  same({ ...square, guides: [[[0, 0], [1, 1]]] }, { guides: [guide] });
+  same({ ...square, guides: [guide], sizes: [[0.5, 0.5, 0.04]] }, { sizes: [0.5, 0.5, 0.04] });
+  const domain = { ...square, guides: [guide], sizes: [[0.5, 0.5, 0.01]] };
+  const read = await lpquad.readDomain(JSON.stringify(domain));
+  assert.deepEqual(read.guides, domain.guides);
+  assert.deepEqual(read.sizes, domain.sizes);
+  assert.equal(meshHash(lpquad.meshDomain(read, { size: 0.04 })), meshHash(lpquad.meshDomain(domain, { size: 0.04 })));
+  const session = lpquad.start(square, { size: 0.04, guides: [guide] });
+  assert.equal(meshHash(session.finish()), meshHash(mesh));
+  session.dispose();
+});
+
 test('progress names the stages in order, and false ends the run', () => {
   const stages = [];
   lpquad.meshDomain(plate, { size: 0.1, method: 'paper', onProgress: (p) => void stages.push(p) });

@@ -72,7 +72,22 @@ test('options are known by name, type and range', () => {
     assert.match(refuse('BAD_OPTION', square, { sizes }).message, /sizes/);
   for (const seedPoints of [5, [1], [[1]], [[1, NaN]], [[1, 2, 3]]])
     assert.match(refuse('BAD_OPTION', square, { seedPoints }).message, /seedPoints/);
-  assert.equal(lpquad.meshDomain(square, { size: 0.25, norm: undefined, sizes: undefined }).report.quads, 16);
+  for (const guides of [5, 'abc', null, [5], [[1, 2, 3]], [[[1, 2], [3]]], [[1, 2]], [[1, 2, 1, 2]], [[]]])
+    assert.match(refuse('BAD_OPTION', square, { guides }).message, /guide/);
+  assert.equal(lpquad.meshDomain(square,
+    { size: 0.25, norm: undefined, sizes: undefined, guides: undefined }).report.quads, 16);
+});
+
+test('sizes and guides of a domain are judged as its other members are', () => {
+  for (const sizes of [5, [[1, 2]], [1, 2], [[1, 2, NaN]]])
+    assert.match(errorOf('PARSE_ERROR', () => lpquad.meshDomain({ ...square, sizes })).message, /^domain\.sizes /);
+  assert.match(errorOf('PARSE_ERROR', () => lpquad.meshDomain({ ...square, guides: [[[0, 0], 1]] })).message,
+    /^domain\.guides\[0\]\[1\] /);
+  const { where } = errorOf('NON_FINITE', () =>
+    lpquad.meshDomain({ ...square, guides: [[0, 0, 1, 1], [[0, 0], [0, NaN]]] }));
+  assert.deepEqual(where, { guide: 1, edge: 1 });
+  const still = errorOf('BAD_OPTION', () => lpquad.meshDomain(square, { guides: [[0, 0, 1, 1], [0.5, 0.25, 0.5, 0.25]] }));
+  assert.deepEqual(still.where, { guide: 1, x: 0.5, y: 0.25 });
 });
 
 test('every code that input can cause is given, with its place', () => {

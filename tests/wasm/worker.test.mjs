@@ -45,6 +45,9 @@ test('every call gives what the direct call gives', async () => {
   const typed = { loops: [Float64Array.of(0, 0, 1, 0, 1, 1, 0, 1)] };
   await remote.meshDomain(typed, { size: 0.25, sizes: Float64Array.of(0.5, 0.5, 0.1) });
   assert.equal(typed.loops[0].length, 8);
+  const guided = { size: 0.1, guides: [Float64Array.of(0.2, 0.3, 0.8, 0.6), [[0.2, 0.8], [0.4, 0.9]]] };
+  assert.equal(meshHash(await remote.meshDomain(typed, guided)), meshHash(lpquad.meshDomain(typed, guided)));
+  assert.equal(guided.guides[0].length, 4);
 });
 
 test('errors come back whole', async () => {

@@ -94,7 +94,7 @@ function packLoops(packed, { loops, tags }, path, region, names) {
 const comments = ['name', 'description', 'source', 'licence', 'license', 'warnings'];
 
 function packRegions(packed, domain, names) {
-  checkObject(domain, 'domain', ['loops', 'tags', 'regions', 'polylines', 'points', 'h', ...comments]);
+  checkObject(domain, 'domain', ['loops', 'tags', 'regions', 'polylines', 'points', 'h', 'sizes', 'guides', ...comments]);
   if (domain.regions === undefined) {
     packed.regions.push('');
     return packLoops(packed, domain, 'domain', 0, names);
@@ -132,6 +132,24 @@ function packPoints(packed, points, names) {
   });
 }
 
+/** Guides as two arrays: of all points, and of their number in each. */
+export function packGuides(guides, path) {
+  const points = [];
+  const sizes = Array.from(checkList(guides, path, 'an array of lines'), (line, i) =>
+    appendPoints(points, line, `${path}[${i}]`, { guide: i }));
+  return { points: Float64Array.from(points), sizes: Int32Array.from(sizes) };
+}
+
+/** [[x, y, h], ..] or [x0, y0, h0, ..] as a flat array, likewise for other widths; else null. */
+export function flatTuples(list, width) {
+  if (!isList(list)) return null;
+  const nested = isList(list[0]);
+  if (nested ? !list.every((one) => isList(one) && one.length === width) : list.length % width !== 0) return null;
+  const flat = nested ? list.flatMap((one) => [...one]) : [...list];
+  return flat.every(Number.isFinite) ? Float64Array.from(flat) : null;
+}
+export const sizesForm = 'points with a target size each: [[x, y, h], …], all finite numbers';
+
 /** @param {import('./index.js').Domain} domain */
 export function packDomain(domain) {
   const packed = { regions: [], loopsPerRegion: [], sizes: [], points: [], edgeTags: [],
@@ -141,7 +159,10 @@ export function packDomain(domain) {
   packPolylines(packed, domain.polylines ?? [], names);
   packPoints(packed, domain.points ?? [], names);
   if (domain.h !== undefined) appendNumber(h, domain.h, 'domain.h');
-  return { regions: packed.regions, tags: names.list, h: h.at(-1),
+  const sizesAt = flatTuples(domain.sizes ?? [], 3);
+  if (sizesAt === null) fail('domain.sizes', sizesForm, domain.sizes);
+  return { regions: packed.regions, tags: names.list, h: h.at(-1), sizesAt,
+    guides: packGuides(domain.guides ?? [], 'domain.guides'),
     points: Float64Array.from(packed.points),
     loopsPerRegion: Int32Array.from(packed.loopsPerRegion), sizes: Int32Array.from(packed.sizes),
     edgeTags: Int32Array.from(packed.edgeTags),

@@ -1,20 +1,24 @@
-// Sizes and directions of the caller: samples cross as an array, functions as functions.
+// Sizes and directions of the caller: samples and strokes cross as arrays, functions as functions.
+import { flatTuples, packGuides, sizesForm } from './domain.js';
 import { LpquadError } from './errors.js';
 
 const wrong = (name, expected) =>
   new LpquadError('BAD_OPTION', `Option ${name} must be ${expected}.`);
 
-const isList = (value) => Array.isArray(value) || ArrayBuffer.isView(value);
+function packTuples(name, list, width, form) {
+  const flat = flatTuples(list, width);
+  if (flat === null) throw wrong(name, form);
+  return flat;
+}
 
-/** Tuples of `width` numbers, nested or flat: [[x, y, h], …] or [x0, y0, h0, …]. */
-function flatTuples(name, list, width, expected) {
-  const nested = isList(list) && isList(list[0]);
-  const form = !isList(list) ? false
-    : nested ? list.every((tuple) => isList(tuple) && tuple.length === width)
-    : list.length % width === 0;
-  const flat = !form ? [] : nested ? list.flatMap((tuple) => [...tuple]) : [...list];
-  if (!form || !flat.every(Number.isFinite)) throw wrong(name, `${expected}, all finite numbers`);
-  return Float64Array.from(flat);
+/** As of a domain; only that an option is wrong then, not a text. */
+function packGuideOption(guides = []) {
+  try {
+    return packGuides(guides, 'guides');
+  } catch (error) {
+    if (!(error instanceof LpquadError) || error.code !== 'PARSE_ERROR') throw error;
+    throw new LpquadError('BAD_OPTION', `Option ${error.message}`, error.where);
+  }
 }
 
 /** A caller's function that throws must not unwind the core: the error is kept until it is back. */
@@ -38,11 +42,12 @@ function guarded(name, f, kept) {
 export function splitOptions(options = {}) {
   if (options === null || typeof options !== 'object')
     throw new LpquadError('BAD_OPTION', 'The options must be an object.');
-  const { sizes = [], seedPoints = [], sizeAt, angleAt, onProgress, ...table } = options;
+  const { sizes = [], guides, seedPoints = [], sizeAt, angleAt, onProgress, ...table } = options;
   const thrown = [];
   const fields = {
-    sizes: flatTuples('sizes', sizes, 3, 'points with a target size each: [[x, y, h], …]'),
-    seeds: flatTuples('seedPoints', seedPoints, 2, 'points [[x, y], …]'),
+    sizes: packTuples('sizes', sizes, 3, sizesForm),
+    guides: packGuideOption(guides),
+    seeds: packTuples('seedPoints', seedPoints, 2, 'points: [[x, y], …], all finite numbers'),
     size: guarded('sizeAt', sizeAt, thrown),
     angle: guarded('angleAt', angleAt, thrown),
   };

@@ -12,6 +12,12 @@ export type { ErrorCode, MeshFormat, DomainFormat, MeshOptions, WriteOptions };
 /** A closed loop: `[[x, y], …]` or flat `[x0, y0, x1, y1, …]`. The first point is not repeated. */
 export type Loop = ReadonlyArray<readonly [number, number]> | ArrayLike<number>;
 
+/** Target sizes at points: `[[x, y, h], …]` or flat `[x0, y0, h0, …]`. */
+export type Sizes = ReadonlyArray<readonly [number, number, number]> | ArrayLike<number>;
+
+/** Strokes of two points or more each, `[[x, y], …]` or flat `[x0, y0, x1, y1, …]`. */
+export type Guides = ReadonlyArray<Loop>;
+
 /** What bounds one region: the loop of largest area is its outline, the others are its holes. */
 export interface Loops {
   /** In any order and orientation. */
@@ -27,6 +33,9 @@ export interface DomainParts {
   points?: ReadonlyArray<readonly [number, number] | { position: readonly [number, number]; tag?: string }>;
   /** Target edge length that comes with the domain; `MeshOptions.size` wins over it. */
   h?: number;
+  /** Target sizes and guides that come with the domain, in the form of the options of these names, which win. */
+  sizes?: Sizes;
+  guides?: Guides;
   /** Comments, ignored. */
   name?: string;
   description?: string;
@@ -41,11 +50,16 @@ export type Domain =
 
 /** The options of the mesher (`MeshOptions`), and what of the caller's own goes with them. */
 export interface MeshCallOptions extends MeshOptions {
-  /** Target sizes at points: `[[x, y, h], …]` or flat `[x0, y0, h0, …]`. */
-  sizes?: ReadonlyArray<readonly [number, number, number]> | ArrayLike<number>;
+  /** Target sizes at points. */
+  sizes?: Sizes;
+  /**
+   * Strokes whose direction the quads follow nearby. They need not lie inside the domain, and do not become edges of
+   * the mesh (`polylines` do). What of them shakes by less than the mesh size is smoothed out.
+   */
+  guides?: Guides;
   /** Target size anywhere; wins over `sizes` and `size`. Not across workers. */
   sizeAt?: (x: number, y: number) => number;
-  /** Direction of the quads anywhere, radians; replaces the cross field. Not across workers. */
+  /** Direction of the quads anywhere, radians; replaces the cross field, guides included. Not across workers. */
   angleAt?: (x: number, y: number) => number;
   /**
    * Interior points to start from, instead of those that `seeds` chooses; what is not inside is
@@ -156,6 +170,8 @@ export interface Where {
   edge?: number;
   otherLoop?: number;
   otherEdge?: number;
+  /** Of `guides`; `edge` is then one of its points. */
+  guide?: number;
   /** Coordinates in the caller's units. */
   x?: number;
   y?: number;
@@ -267,6 +283,8 @@ export type ReadDomain = {
   polylines: Array<{ points: Array<[number, number]>; tag: string }>;
   points: Array<{ position: [number, number]; tag: string }>;
   h?: number;
+  sizes?: Array<[number, number, number]>;
+  guides?: Array<Array<[number, number]>>;
   /** Gaps closed and parts left out. */
   warnings: ReportedError[];
 };

@@ -21,12 +21,12 @@ export async function direct(): Promise<void> {
     tags: [['inlet', null, undefined]],
     polylines: [{ points: [[0, 0], [1, 1]], tag: 'crack' }],
     points: [[0.5, 0.5], { position: [0.1, 0.2], tag: 'sensor' }],
-    h: 0.1,
+    h: 0.1, sizes: [[0.5, 0.5, 0.01]], guides: [[[0, 0], [1, 1]], Float64Array.of(0, 0, 1, 1)],
   };
   const regions: Domain = { regions: [{ name: 'steel', loops: [[0, 0, 1, 0, 1, 1]] }] };
   const mesh: MeshResult = lpquad.meshDomain(domain, {
     size: 0.1, keepBoundary: true, elements: 'quad-dominant', method: 'paper', seeds: 'aligned', norm: 4,
-    iterations: 10, seed: 3, sizes: [[0.5, 0.5, 0.01]], sizeAt: (x: number, y: number) => x + y,
+    iterations: 10, seed: 3, sizes: [[0.5, 0.5, 0.01]], guides: [[0, 0, 1, 1]], sizeAt: (x: number, y: number) => x + y,
     angleAt: () => 0, onProgress: ({ stage, iteration, energy }) => stage !== 'clean' && iteration + energy < 9,
   });
   lpquad.meshDomain(regions);
