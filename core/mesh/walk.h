@@ -1,5 +1,5 @@
-// Steps around a vertex of a TriMesh. A half-edge stands for the corner at its origin; a "fan" is
-// the run of corners that are reached from each other without crossing a wall.
+// Steps around a vertex of a TriMesh or SurfaceMesh. A half-edge stands for the corner at its
+// origin; a "fan" is the run of corners that are reached from each other without crossing a wall.
 #pragma once
 
 #include "mesh/tri_mesh.h"
@@ -7,20 +7,22 @@
 namespace lpq {
 
 /// The next half-edge leaving the same vertex, counter-clockwise; none when a wall is in between.
-inline Index ccw_around_origin(const TriMesh& mesh, Index e) {
+template <class Mesh>
+Index ccw_around_origin(const Mesh& mesh, Index e) {
   return mesh.twins[prev_in_triangle(e)];
 }
 
 /// The next half-edge leaving the same vertex, clockwise; none when a wall is in between.
-inline Index cw_around_origin(const TriMesh& mesh, Index e) {
+template <class Mesh>
+Index cw_around_origin(const Mesh& mesh, Index e) {
   const Index twin = mesh.twins[e];
   return twin == none ? none : next_in_triangle(twin);
 }
 
 /// Calls visit(e) for the half-edges of one fan, counter-clockwise from `first`, once around at
 /// most.
-template <class Visit>
-void for_each_in_fan(const TriMesh& mesh, Index first, Visit&& visit) {
+template <class Mesh, class Visit>
+void for_each_in_fan(const Mesh& mesh, Index first, Visit&& visit) {
   Index e = first;
   do {
     visit(e);

@@ -1,0 +1,43 @@
+// What the surface readers share: points, polygons and groups become a soup of triangles.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "surface/soup.h"
+
+namespace lpq {
+
+class SoupBuilder {
+ public:
+  Index point_count() const { return static_cast<Index>(soup_.points.size()); }
+  void add_point(Vec3 p) { soup_.points.push_back(p); }
+
+  /// Polygons from now on belong to the group of this key, which is shown as `name`.
+  void set_group(const std::string& key, const std::string& name);
+
+  /// Three or more corners of points that are there. They are divided into a fan around the first
+  /// corner from which all triangles look the same way, so that a polygon with one inward corner
+  /// comes out right; a polygon that no corner sees whole is a fan around its first.
+  void add_polygon(std::span<const Index> corners);
+  bool has_polygon() const { return !soup_.triangles.empty(); }
+
+  void warn(Warning warning) { soup_.warnings.push_back(std::move(warning)); }
+  /// Whether the file is beyond what indices can count.
+  bool too_large() const;
+
+  SurfaceSoup take() { return std::move(soup_); }
+
+ private:
+  SurfaceSoup soup_;
+  std::map<std::string, Index> groups_;
+  std::string key_, name_;
+  Index group_ = none;  // none: the next polygon makes it
+};
+
+/// The error for a file that SoupBuilder finds too_large().
+Error too_many_triangles();
+
+}  // namespace lpq

@@ -1,0 +1,50 @@
+// See surface_text.h.
+#include "io/surface/surface_text.h"
+
+#include <cmath>
+
+namespace lpq {
+namespace {
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c; }
+
+}  // namespace
+
+bool same_letters(std::string_view word, std::string_view lower_case) {
+  if (word.size() != lower_case.size()) return false;
+  for (std::size_t i = 0; i < word.size(); ++i)
+    if (lower(word[i]) != lower_case[i]) return false;
+  return true;
+}
+
+bool is_not_finite_word(std::string_view word) {
+  if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.remove_prefix(1);
+  // Some C libraries write nan(ind) or nan(0x...), or 1.#INF.
+  if (word.substr(0, 3) == "1.#") return true;
+  return same_letters(word.substr(0, 3), "nan") || same_letters(word.substr(0, 3), "inf");
+}
+
+bool read_point(const Words& words, std::size_t at, const char* what, Vec3& point, Error& error) {
+  double* const coordinates[] = {&point.x, &point.y, &point.z};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (at + k < words.size() && parse_number(words[at + k], *coordinates[k])) continue;
+    const bool not_finite = at + k < words.size() && is_not_finite_word(words[at + k]);
+    error.code = not_finite ? ErrorCode::non_finite : ErrorCode::parse_error;
+    error.message = what;
+    error.message += not_finite ? " has a coordinate that is not finite."
+                                : " needs three finite numbers: x y z.";
+    return false;
+  }
+  return true;
+}
+
+std::string joined_words(const Words& words, std::size_t first) {
+  std::string joined;
+  for (std::size_t i = first; i < words.size(); ++i) {
+    if (i > first) joined += ' ';
+    joined += words[i];
+  }
+  return joined;
+}
+
+}  // namespace lpq

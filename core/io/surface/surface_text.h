@@ -1,0 +1,26 @@
+// Small things that the text readers of surfaces share.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "geometry/vec3.h"
+#include "io/mesh_text.h"
+#include "io/number.h"
+
+namespace lpq {
+
+/// Whether a word is `lower_case` in capitals or small letters.
+bool same_letters(std::string_view word, std::string_view lower_case);
+
+/// Whether a word is a number that is not finite, as printf and many programs write it.
+bool is_not_finite_word(std::string_view word);
+
+/// words[at], words[at + 1], words[at + 2] as a point. False with code and sentence otherwise;
+/// `what` is "A vertex" or the like.
+bool read_point(const Words& words, std::size_t at, const char* what, Vec3& point, Error& error);
+
+/// "one two" from the words from `first` on.
+std::string joined_words(const Words& words, std::size_t first);
+
+}  // namespace lpq

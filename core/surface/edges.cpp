@@ -1,0 +1,72 @@
+#include "surface/edges.h"
+
+#include <algorithm>
+
+namespace lpq {
+namespace {
+
+/// Half-edges in rows of their smaller vertex, in each row by their larger one, then by number.
+Csr<Index> half_edges_by_ends(const Index* corners, Index half_edge_count, Index vertex_count) {
+  const auto ends = [corners](Index e) {
+    const Index a = corners[e], b = corners[next_in_triangle(e)];
+    return std::array<Index, 2>{std::min(a, b), std::max(a, b)};
+  };
+  Csr<Index> rows;
+  rows.offsets.assign(static_cast<std::size_t>(vertex_count) + 1, 0);
+  for (Index e = 0; e < half_edge_count; ++e) ++rows.offsets[ends(e)[0] + 1];
+  for (Index v = 0; v < vertex_count; ++v) rows.offsets[v + 1] += rows.offsets[v];
+  rows.values.resize(static_cast<std::size_t>(half_edge_count));
+  std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
+  for (Index e = 0; e < half_edge_count; ++e) rows.values[next[ends(e)[0]]++] = e;
+  for (Index v = 0; v < vertex_count; ++v) {
+    const auto row = rows.row(v);
+    std::sort(row.begin(), row.end(), [&](Index e, Index f) {
+      const Index x = ends(e)[1], y = ends(f)[1];
+      return x != y ? x < y : e < f;
+    });
+  }
+  return rows;
+}
+
+}  // namespace
+
+SurfaceEdges surface_edges(std::span<const Tri> triangles, Index vertex_count) {
+  const Index* corners = reinterpret_cast<const Index*>(triangles.data());
+  const Index half_edge_count = 3 * static_cast<Index>(triangles.size());
+  const Csr<Index> rows = half_edges_by_ends(corners, half_edge_count, vertex_count);
+  SurfaceEdges edges;
+  edges.edge_of.resize(static_cast<std::size_t>(half_edge_count));
+  for (const Index e : rows.values) {
+    const Index a = corners[e], b = corners[next_in_triangle(e)];
+    const std::array<Index, 2> ends{std::min(a, b), std::max(a, b)};
+    if (edges.ends.empty() || edges.ends.back() != ends) {
+      if (!edges.ends.empty()) edges.half_edges.end_row();
+      edges.ends.push_back(ends);
+    }
+    edges.edge_of[e] = edges.count() - 1;
+    edges.half_edges.values.push_back(e);
+  }
+  if (!edges.ends.empty()) edges.half_edges.end_row();
+  return edges;
+}
+
+Csr<Index> edges_at_vertices(const SurfaceEdges& edges, Index vertex_count,
+                             std::span<const char> chosen) {
+  const auto skipped = [&](Index i) { return !chosen.empty() && !chosen[i]; };
+  Csr<Index> rows;
+  rows.offsets.assign(static_cast<std::size_t>(vertex_count) + 1, 0);
+  for (Index i = 0; i < edges.count(); ++i) {
+    if (skipped(i)) continue;
+    for (const Index v : edges.ends[i]) ++rows.offsets[v + 1];
+  }
+  for (Index v = 0; v < vertex_count; ++v) rows.offsets[v + 1] += rows.offsets[v];
+  rows.values.resize(static_cast<std::size_t>(rows.offsets.back()));
+  std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
+  for (Index i = 0; i < edges.count(); ++i) {
+    if (skipped(i)) continue;
+    for (const Index v : edges.ends[i]) rows.values[next[v]++] = i;
+  }
+  return rows;
+}
+
+}  // namespace lpq

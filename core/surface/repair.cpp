@@ -1,0 +1,191 @@
+#include "surface/repair.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "surface/flat.h"
+#include "surface/orient.h"
+#include "surface/weld.h"
+
+namespace lpq {
+namespace {
+
+// A triangle lower than this, relative to the diagonal, is flat: what rounding leaves of collinear
+// points. Removing it moves the surface by no more than that.
+constexpr double flat_height = 1e-10;
+constexpr double largest_coordinate = 1e100;
+
+class Repair {
+ public:
+  Repair(SurfaceSoup soup, const RepairOptions& options)
+      : soup_(std::move(soup)), options_(options) {
+    report_.points_given = static_cast<Index>(soup_.points.size());
+    report_.triangles_given = static_cast<Index>(soup_.triangles.size());
+    if (soup_.group.empty()) soup_.group.assign(soup_.triangles.size(), 0);
+    if (soup_.group_names.empty()) soup_.group_names.emplace_back();
+  }
+
+  Result<RepairedSurface> run() {
+    if (auto checked = check_input(); !checked) return checked.error();
+    weld();
+    drop_collapsed();
+    drop_duplicates();
+    if (!remove_flat()) return nothing_left();
+    return finish();
+  }
+
+ private:
+  Result<int> check_input() {
+    if (!(options_.weld >= 0 && options_.weld <= 0.01))
+      return Error{ErrorCode::bad_option, "Option weld must lie between 0 and 0.01.", {}};
+    if (soup_.triangles.empty()) return Error{ErrorCode::empty, "The surface has no triangle.", {}};
+    used_.assign(soup_.points.size(), 0);
+    for (std::size_t t = 0; t < soup_.triangles.size(); ++t)
+      for (const Index v : soup_.triangles[t]) {
+        if (v < 0 || v >= report_.points_given)
+          return Error{ErrorCode::parse_error,
+                       "Triangle " + std::to_string(t) + " has point " + std::to_string(v) +
+                           ", but the points are 0 to " + std::to_string(report_.points_given - 1) +
+                           ".",
+                       {}};
+        used_[v] = 1;
+      }
+    return check_points();
+  }
+
+  Result<int> check_points() {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Vec3 low{infinity, infinity, infinity}, high = -low;
+    for (std::size_t v = 0; v < used_.size(); ++v) {
+      if (!used_[v]) {
+        ++report_.unused_points;
+        continue;
+      }
+      const Vec3 p = soup_.points[v];
+      if (!is_finite(p))
+        return Error{ErrorCode::non_finite,
+                     "Point " + std::to_string(v) + " has a coordinate that is not finite.",
+                     {}};
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    for (const double x : {low.x, low.y, low.z, high.x, high.y, high.z})
+      if (std::fabs(x) > largest_coordinate)
+        return Error{ErrorCode::too_large, "A coordinate is larger than 1e100.", {}};
+    diagonal_ = length(high - low);
+    return 0;
+  }
+
+  void weld() {
+    const std::vector<Index> first = weld_points(soup_.points, used_, options_.weld * diagonal_);
+    for (std::size_t v = 0; v < first.size(); ++v)
+      report_.welded_points += first[v] != static_cast<Index>(v);
+    for (Tri& t : soup_.triangles)
+      for (Index& v : t) v = first[v];
+  }
+
+  /// Keeps the triangles for which keep(t) holds, and says how many it dropped.
+  template <class Keep>
+  Index filter(Keep&& keep) {
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
+      if (!keep(t)) continue;
+      soup_.triangles[kept] = soup_.triangles[t];
+      soup_.group[kept++] = soup_.group[t];
+    }
+    const auto dropped = static_cast<Index>(soup_.triangles.size() - kept);
+    soup_.triangles.resize(kept);
+    soup_.group.resize(kept);
+    return dropped;
+  }
+
+  void drop_collapsed() {
+    report_.collapsed_triangles += filter([this](std::size_t i) {
+      const Tri& t = soup_.triangles[i];
+      return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+    });
+  }
+
+  void drop_duplicates() {
+    std::vector<std::pair<Tri, std::size_t>> keys;
+    for (std::size_t i = 0; i < soup_.triangles.size(); ++i) {
+      Tri key = soup_.triangles[i];
+      std::sort(key.begin(), key.end());
+      keys.push_back({key, i});
+    }
+    std::sort(keys.begin(), keys.end());
+    std::vector<char> repeated(keys.size(), 0);
+    for (std::size_t k = 1; k < keys.size(); ++k)
+      repeated[keys[k].second] = keys[k].first == keys[k - 1].first;
+    report_.duplicate_triangles += filter([&](std::size_t i) { return !repeated[i]; });
+  }
+
+  /// False if no triangle has a height.
+  bool remove_flat() {
+    const double height = flat_height * diagonal_;
+    const auto has_height = [&](const Tri& t) {
+      return !is_flat(soup_.points[t[0]], soup_.points[t[1]], soup_.points[t[2]], height);
+    };
+    if (std::none_of(soup_.triangles.begin(), soup_.triangles.end(), has_height)) return false;
+    const FlatRemoval removal =
+        remove_flat_triangles(soup_.points, height, soup_.triangles, soup_.group);
+    report_.flat_triangles = removal.removed;
+    report_.divided_triangles = removal.divided;
+    report_.flat_left = removal.left;
+    if (removal.removed > 0) drop_duplicates();
+    return !soup_.triangles.empty();
+  }
+
+  Error nothing_left() const {
+    return {ErrorCode::zero_area,
+            "None of the surface's " + std::to_string(report_.triangles_given) +
+                " triangles has an area.",
+            {}};
+  }
+
+  RepairedSurface finish() {
+    RepairedSurface result;
+    number_points(result.mesh);
+    result.mesh.triangles = std::move(soup_.triangles);
+    result.mesh.group = std::move(soup_.group);
+    result.group_names = std::move(soup_.group_names);
+    const Orientation found = orient_surface(result.mesh);
+    report_.turned_triangles = found.turned;
+    report_.components = found.components;
+    report_.border_edges = found.borders;
+    report_.nonmanifold_edges = found.nonmanifold;
+    report_.conflict_edges = found.conflicts;
+    report_.nonmanifold_vertices = found.pinched_vertices;
+    result.report = report_;
+    return result;
+  }
+
+  void number_points(SurfaceMesh& mesh) {
+    std::vector<Index> number(soup_.points.size(), none);
+    for (const Tri& t : soup_.triangles)
+      for (const Index v : t) number[v] = 0;
+    for (std::size_t v = 0; v < number.size(); ++v) {
+      if (number[v] == none) continue;
+      number[v] = mesh.vertex_count();
+      mesh.points.push_back(soup_.points[v]);
+    }
+    for (Tri& t : soup_.triangles)
+      for (Index& v : t) v = number[v];
+  }
+
+  SurfaceSoup soup_;
+  RepairOptions options_;
+  std::vector<char> used_;  // #points
+  double diagonal_ = 0;
+  RepairReport report_;
+};
+
+}  // namespace
+
+Result<RepairedSurface> repair_surface(SurfaceSoup soup, const RepairOptions& options) {
+  return Repair(std::move(soup), options).run();
+}
+
+}  // namespace lpq

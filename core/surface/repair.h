@@ -1,0 +1,48 @@
+// From a heap of triangles to a surface that nothing is wrong with any more; every repair is
+// counted.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "mesh/surface_mesh.h"
+#include "surface/soup.h"
+
+namespace lpq {
+
+struct RepairOptions {
+  /// Points nearer than this, relative to the bounding box's diagonal, are one point. 1e-10 is what
+  /// rounding leaves of equal points; files whose sheets do not quite meet may need 1e-7 or more.
+  double weld = 1e-10;  // 0 .. 0.01, 0 welds equal points only
+};
+
+struct RepairReport {
+  Index points_given = 0, triangles_given = 0;
+  Index welded_points = 0;        // became one with an earlier point
+  Index unused_points = 0;        // no triangle has them
+  Index collapsed_triangles = 0;  // two corners are one point
+  Index duplicate_triangles = 0;  // same three corners as an earlier one, either way round
+  Index flat_triangles = 0;       // without height, taken away (flat.h)
+  Index divided_triangles = 0;    // next to those
+  Index flat_left = 0;            // without height, still there
+  Index turned_triangles = 0;     // for one orientation
+  Index components = 0;           // connected across edges of two triangles
+  Index border_edges = 0;
+  Index nonmanifold_edges = 0;     // of three or more triangles: walls
+  Index conflict_edges = 0;        // where one-sided parts are cut open: walls
+  Index nonmanifold_vertices = 0;  // parts meet in the point only; each is an umbrella of its own
+};
+
+struct RepairedSurface {
+  SurfaceMesh mesh;                      // points in the order of the soup
+  std::vector<std::string> group_names;  // of mesh.group
+  RepairReport report;
+};
+
+/// Welds, drops and divides triangles, orients, and cuts where the surface is not manifold.
+/// Errors: parse_error for a corner that is not there; empty; non_finite; too_large beyond 1e100
+/// (squares must not overflow); zero_area if nothing has height. Cost O(#T log #T).
+Result<RepairedSurface> repair_surface(SurfaceSoup soup, const RepairOptions& options = {});
+
+}  // namespace lpq

@@ -1,0 +1,21 @@
+// Triangles as a file says them, unjudged: what the surface readers hand over and repair takes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "geometry/vec3.h"
+#include "mesh/tri_mesh.h"
+
+namespace lpq {
+
+struct SurfaceSoup {
+  std::vector<Vec3> points;
+  std::vector<Tri> triangles;
+  std::vector<Index> group;              // #T  into group_names; empty = all in group 0
+  std::vector<std::string> group_names;  // "" = unnamed; at least one where there is a triangle
+  std::vector<Warning> warnings;         // what the file holds and the reader left out
+};
+
+}  // namespace lpq

@@ -1,0 +1,18 @@
+// Points that are one point: equal, or nearer to each other than a distance.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/index.h"
+#include "geometry/vec3.h"
+
+namespace lpq {
+
+/// For each point the first point that it is welded to (itself if none is before it). Points within
+/// `distance` are one, and so are chains of such points; 0 welds equal points only. Points that are
+/// not `used` stay alone and may be anything; the others must be finite. Cost O(#V log #V).
+std::vector<Index> weld_points(std::span<const Vec3> points, std::span<const char> used,
+                               double distance);
+
+}  // namespace lpq

@@ -1,0 +1,78 @@
+// Small surfaces for tests.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "surface/soup.h"
+
+namespace lpq_test {
+
+/// A box [0,x] x [0,y] x [0,z], its sides cut into n x n squares of two triangles each.
+inline lpq::SurfaceSoup box_soup(lpq::Vec3 size, int n) {
+  using lpq::Index;
+  using lpq::Vec3;
+  lpq::SurfaceSoup soup;
+  const auto side = [&](Vec3 corner, Vec3 u, Vec3 v) {
+    const auto first = static_cast<Index>(soup.points.size());
+    for (int j = 0; j <= n; ++j)
+      for (int i = 0; i <= n; ++i)
+        soup.points.push_back(corner + (double(i) / n) * u + (double(j) / n) * v);
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const Index a = first + j * (n + 1) + i;
+        soup.triangles.push_back({a, a + 1, a + n + 2});
+        soup.triangles.push_back({a, a + n + 2, a + n + 1});
+      }
+  };
+  const Vec3 x{size.x, 0, 0}, y{0, size.y, 0}, z{0, 0, size.z}, o;
+  side(o, y, x);
+  side(z, x, y);
+  side(o, x, z);
+  side(y, z, x);
+  side(o, z, y);
+  side(x, y, z);
+  return soup;
+}
+
+/// A strip of n squares around an axis, closed after `half_turns` half turns: 0 makes a ring, 1 a
+/// Moebius band. Orientation as the squares come.
+inline lpq::SurfaceSoup band_soup(int n, int half_turns) {
+  using lpq::Index;
+  lpq::SurfaceSoup soup;
+  constexpr double pi = 3.14159265358979323846;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * pi * i / n, turn = 0.5 * half_turns * angle;
+    for (const double side : {-0.3, 0.3}) {
+      const double r = 1 + side * std::cos(turn);
+      soup.points.push_back({r * std::cos(angle), r * std::sin(angle), side * std::sin(turn)});
+    }
+  }
+  for (Index i = 0; i < n; ++i) {
+    const bool crossed = i == n - 1 && half_turns % 2 == 1;
+    const Index a = 2 * i, b = a + 1, c = 2 * ((i + 1) % n);
+    const Index next_a = crossed ? c + 1 : c, next_b = crossed ? c : c + 1;
+    soup.triangles.push_back({a, next_a, b});
+    soup.triangles.push_back({b, next_a, next_b});
+  }
+  return soup;
+}
+
+/// Height field over n x n squares of side 1: z(i, j).
+template <class Height>
+lpq::SurfaceSoup sheet_soup(int n, Height&& z) {
+  using lpq::Index;
+  lpq::SurfaceSoup soup;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) soup.points.push_back({double(i), double(j), z(i, j)});
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const Index a = j * (n + 1) + i;
+      soup.triangles.push_back({a, a + 1, a + n + 2});
+      soup.triangles.push_back({a, a + n + 2, a + n + 1});
+    }
+  return soup;
+}
+
+}  // namespace lpq_test

@@ -1,0 +1,191 @@
+// Repair: every defect is mended or cut, counted, and what comes out is a surface.
+#include "surface/repair.h"
+
+#include "base/rng.h"
+#include "catch.h"
+#include "support/surface_checks.h"
+#include "support/surface_shapes.h"
+
+using namespace lpq;
+using namespace lpq_test;
+
+namespace {
+
+RepairedSurface repaired(const SurfaceSoup& soup, RepairOptions options = {}) {
+  auto result = repair_surface(soup, options);
+  INFO((result ? std::string() : result.error().message));
+  REQUIRE(result.has_value());
+  check_surface(result->mesh);
+  return *std::move(result);
+}
+
+ErrorCode refused(const SurfaceSoup& soup) {
+  const auto result = repair_surface(soup);
+  REQUIRE_FALSE(result.has_value());
+  CHECK_FALSE(result.error().message.empty());
+  return result.error().code;
+}
+
+SurfaceSoup soup_of(std::vector<Vec3> points, std::vector<Tri> triangles) {
+  SurfaceSoup soup;
+  soup.points = std::move(points);
+  soup.triangles = std::move(triangles);
+  return soup;
+}
+
+}  // namespace
+
+TEST_CASE("a box of six loose sides becomes one closed surface") {
+  const auto box = repaired(box_soup({1, 2, 3}, 4));
+  CHECK(box.report.components == 1);
+  CHECK(box.report.border_edges == 0);
+  CHECK(box.report.turned_triangles == 0);
+  const auto topology = topology_of(box.mesh);
+  REQUIRE(topology.size() == 1);
+  CHECK(topology[0].euler == 2);
+  CHECK(volume_of(box.mesh) == Approx(6));
+  CHECK(area_of(box.mesh.points, box.mesh.triangles) == Approx(22));
+}
+
+TEST_CASE("shuffled orientations become one, with the outside out") {
+  SurfaceSoup soup = box_soup({1, 2, 3}, 4);
+  Rng rng(3);
+  for (Tri& t : soup.triangles)
+    if (rng.below(2) == 1) std::swap(t[0], t[1]);
+  const auto box = repaired(soup);
+  CHECK(box.report.turned_triangles > 0);
+  CHECK(box.report.conflict_edges == 0);
+  CHECK(volume_of(box.mesh) == Approx(6));
+}
+
+TEST_CASE("a consistent orientation stays, even inside out") {
+  SurfaceSoup soup = box_soup({1, 1, 1}, 2);
+  for (Tri& t : soup.triangles) std::swap(t[0], t[1]);
+  CHECK(volume_of(repaired(soup).mesh) == Approx(-1));
+}
+
+TEST_CASE("a Moebius band is cut once; a ring is not") {
+  const auto band = repaired(band_soup(12, 1));
+  CHECK(band.report.conflict_edges > 0);
+  const auto cut = topology_of(band.mesh);
+  REQUIRE(cut.size() == 1);
+  CHECK(cut[0].euler == 1);
+  CHECK(cut[0].loops == 1);
+  const auto ring = repaired(band_soup(12, 0));
+  CHECK(ring.report.conflict_edges == 0);
+  CHECK(topology_of(ring.mesh)[0].loops == 2);
+}
+
+TEST_CASE("sheets that meet in an edge keep its points and get walls there") {
+  const auto joint = repaired(soup_of({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}},
+                                      {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}));
+  CHECK(joint.report.nonmanifold_edges == 1);
+  CHECK(joint.report.nonmanifold_vertices == 0);
+  CHECK(joint.report.border_edges == 6);
+  CHECK(joint.mesh.vertex_count() == 5);
+  CHECK(topology_of(joint.mesh).size() == 3);
+}
+
+TEST_CASE("cones that meet in a point are counted, and it stays one point") {
+  SurfaceSoup soup = box_soup({1, 1, 1}, 1);
+  const auto count = static_cast<Index>(soup.points.size());
+  for (Index v = 0; v < count; ++v) soup.points.push_back(soup.points[v] + Vec3{1, 1, 1});
+  for (std::size_t t = 0; t < 12; ++t) {
+    const Tri other = soup.triangles[t];
+    soup.triangles.push_back({other[0] + count, other[1] + count, other[2] + count});
+  }
+  const auto pair = repaired(soup);
+  CHECK(pair.report.nonmanifold_vertices == 1);
+  CHECK(pair.report.nonmanifold_edges == 0);
+  CHECK(pair.mesh.vertex_count() == 15);
+  CHECK(pair.report.components == 2);
+}
+
+TEST_CASE("duplicates, repeated corners and points without triangles go") {
+  SurfaceSoup soup = box_soup({1, 1, 1}, 2);
+  const std::size_t count = soup.triangles.size();
+  soup.triangles.push_back(soup.triangles[5]);
+  soup.triangles.push_back({soup.triangles[7][1], soup.triangles[7][0], soup.triangles[7][2]});
+  soup.triangles.push_back({3, 3, 4});
+  soup.points.push_back({9, 9, std::nan("")});
+  const auto box = repaired(soup);
+  CHECK(box.report.duplicate_triangles == 2);
+  CHECK(box.report.collapsed_triangles == 1);
+  CHECK(box.report.unused_points == 1);
+  CHECK(box.mesh.triangles.size() == count);
+}
+
+TEST_CASE("nearly equal points are welded when asked") {
+  SurfaceSoup soup = box_soup({1, 1, 1}, 3);
+  Rng rng(5);
+  for (Vec3& p : soup.points)
+    p += {rng.between(-1e-8, 1e-8), rng.between(-1e-8, 1e-8), rng.between(-1e-8, 1e-8)};
+  CHECK(repaired(soup).report.components == 6);
+  const auto welded = repaired(soup, {.weld = 1e-7});
+  CHECK(welded.report.components == 1);
+  CHECK(welded.report.border_edges == 0);
+  CHECK(welded.mesh.vertex_count() == 6 * 9 + 2);
+}
+
+TEST_CASE("flat triangles go and leave no gap") {
+  // A square whose lower edge has points that only flat triangles know, and a sheet below it.
+  const auto square = repaired(
+      soup_of({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 0, 0}, {3, 0, 0}, {2, -3, 1}},
+              {{0, 1, 2}, {0, 2, 3}, {0, 4, 1}, {4, 5, 1}, {0, 6, 4}, {4, 6, 5}, {5, 6, 1}}));
+  CHECK(square.report.flat_triangles == 2);
+  CHECK(square.report.flat_left == 0);
+  CHECK(square.report.nonmanifold_edges == 0);
+  CHECK(square.report.components == 1);
+  const auto topology = topology_of(square.mesh);
+  REQUIRE(topology.size() == 1);
+  CHECK(topology[0].euler == 1);
+  CHECK(square.report.border_edges == 5);
+}
+
+TEST_CASE("flat triangles in heaps, at borders and between more than two sheets") {
+  Rng rng(11);
+  for (int round = 0; round < 200; ++round) {
+    // Points on one line, random triangles among them, and random sheets that hang on the line.
+    SurfaceSoup soup;
+    const auto on_line = static_cast<Index>(4 + rng.below(6));
+    for (Index i = 0; i < on_line; ++i) soup.points.push_back({double(i), 0, 0});
+    for (int i = 0; i < 4; ++i)
+      soup.points.push_back({rng.between(0, 5), rng.between(1, 2), rng.between(-1, 1)});
+    const auto any = [&](Index n) { return static_cast<Index>(rng.below(n)); };
+    for (int i = 0; i < 8; ++i)
+      soup.triangles.push_back({any(on_line), any(on_line), any(on_line)});
+    for (int i = 0; i < 6; ++i)
+      soup.triangles.push_back({any(on_line), any(on_line), on_line + any(4)});
+    soup.triangles.push_back({0, 1, on_line});
+    const auto heap = repaired(soup);
+    CHECK(heap.report.flat_left == 0);
+    CHECK(area_of(heap.mesh.points, heap.mesh.triangles) <=
+          area_of(soup.points, soup.triangles) * (1 + 1e-12));
+  }
+}
+
+TEST_CASE("what cannot be a surface is refused") {
+  CHECK(refused({}) == ErrorCode::empty);
+  CHECK(refused(soup_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}})) == ErrorCode::zero_area);
+  CHECK(refused(soup_of({{1, 1, 1}}, {{0, 0, 0}})) == ErrorCode::zero_area);
+  CHECK(refused(soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 3}})) == ErrorCode::parse_error);
+  CHECK(refused(soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, -1}})) ==
+        ErrorCode::parse_error);
+  const double infinity = std::numeric_limits<double>::infinity();
+  CHECK(refused(soup_of({{0, 0, 0}, {1, 0, 0}, {0, infinity, 0}}, {{0, 1, 2}})) ==
+        ErrorCode::non_finite);
+  CHECK(refused(soup_of({{0, 0, 0}, {1e200, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})) ==
+        ErrorCode::too_large);
+}
+
+TEST_CASE("groups follow their triangles") {
+  SurfaceSoup soup = box_soup({1, 1, 1}, 2);
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    soup.group.push_back(static_cast<Index>(t / 8));
+  soup.group_names = {"a", "b", "c", "d", "e", "f"};
+  soup.triangles[3] = {0, 0, 0};
+  const auto box = repaired(soup);
+  CHECK(box.group_names == soup.group_names);
+  CHECK(std::count(box.mesh.group.begin(), box.mesh.group.end(), 0) == 7);
+  CHECK(std::count(box.mesh.group.begin(), box.mesh.group.end(), 5) == 8);
+}
