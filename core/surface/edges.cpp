@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/disjoint_sets.h"
+
 namespace lpq {
 namespace {
 
@@ -67,6 +69,27 @@ Csr<Index> edges_at_vertices(const SurfaceEdges& edges, Index vertex_count,
     for (const Index v : edges.ends[i]) rows.values[next[v]++] = i;
   }
   return rows;
+}
+
+std::vector<char> pinched_vertices(std::span<const Tri> triangles, const SurfaceEdges& edges,
+                                   Index vertex_count) {
+  const Index* corners = reinterpret_cast<const Index*>(triangles.data());
+  const Index corner_count = 3 * static_cast<Index>(triangles.size());
+  const auto corner_at = [corners](Index e, Index vertex) {
+    return corners[e] == vertex ? e : next_in_triangle(e);
+  };
+  DisjointSets sets(corner_count);
+  for (Index i = 0; i < edges.count(); ++i) {
+    const auto around = edges.half_edges.row(i);
+    for (std::size_t k = 1; k < around.size(); ++k)
+      for (const Index v : edges.ends[i])
+        sets.unite(corner_at(around[0], v), corner_at(around[k], v));
+  }
+  std::vector<Index> parts(static_cast<std::size_t>(vertex_count), 0);
+  for (Index e = 0; e < corner_count; ++e) parts[corners[e]] += sets.root(e) == e;
+  std::vector<char> pinched(parts.size());
+  for (std::size_t v = 0; v < parts.size(); ++v) pinched[v] = parts[v] > 1;
+  return pinched;
 }
 
 }  // namespace lpq

@@ -29,4 +29,9 @@ SurfaceEdges surface_edges(std::span<const Tri> triangles, Index vertex_count);
 Csr<Index> edges_at_vertices(const SurfaceEdges& edges, Index vertex_count,
                              std::span<const char> chosen = {});
 
+/// Vertices where parts of the surface meet in this one point only: going around across edges,
+/// walls or not, does not reach every triangle there. #V
+std::vector<char> pinched_vertices(std::span<const Tri> triangles, const SurfaceEdges& edges,
+                                   Index vertex_count);
+
 }  // namespace lpq

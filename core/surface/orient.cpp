@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/disjoint_sets.h"
 #include "surface/edges.h"
 
 namespace lpq {
@@ -114,21 +113,9 @@ class Orienter {
     }
   }
 
-  /// Corners of triangles are joined across every edge at their vertex, walls or not.
   void count_pinched() {
-    DisjointSets corners(3 * mesh_.triangle_count());
-    for (Index i = 0; i < edges_.count(); ++i) {
-      const auto around = edges_.half_edges.row(i);
-      for (std::size_t k = 1; k < around.size(); ++k)
-        for (const Index v : edges_.ends[i])
-          corners.unite(corner_at(around[0], v), corner_at(around[k], v));
-    }
-    std::vector<Index> groups(mesh_.points.size(), 0);
-    for (Index e = 0; e < 3 * mesh_.triangle_count(); ++e)
-      if (corners.root(e) == e && ++groups[mesh_.origin(e)] == 2) ++result_.pinched_vertices;
-  }
-  Index corner_at(Index e, Index vertex) const {
-    return mesh_.origin(e) == vertex ? e : next_in_triangle(e);
+    const auto pinched = pinched_vertices(mesh_.triangles, edges_, mesh_.vertex_count());
+    result_.pinched_vertices = static_cast<Index>(std::count(pinched.begin(), pinched.end(), 1));
   }
 
   SurfaceMesh& mesh_;

@@ -79,11 +79,11 @@ class Repair {
   }
 
   void weld() {
-    const std::vector<Index> first = weld_points(soup_.points, used_, options_.weld * diagonal_);
-    for (std::size_t v = 0; v < first.size(); ++v)
-      report_.welded_points += first[v] != static_cast<Index>(v);
+    first_ = weld_points(soup_.points, used_, options_.weld * diagonal_);
+    for (std::size_t v = 0; v < first_.size(); ++v)
+      report_.welded_points += first_[v] != static_cast<Index>(v);
     for (Tri& t : soup_.triangles)
-      for (Index& v : t) v = first[v];
+      for (Index& v : t) v = first_[v];
   }
 
   /// Keeps the triangles for which keep(t) holds, and says how many it dropped.
@@ -147,7 +147,7 @@ class Repair {
 
   RepairedSurface finish() {
     RepairedSurface result;
-    number_points(result.mesh);
+    number_points(result);
     result.mesh.triangles = std::move(soup_.triangles);
     result.mesh.group = std::move(soup_.group);
     result.group_names = std::move(soup_.group_names);
@@ -162,22 +162,25 @@ class Repair {
     return result;
   }
 
-  void number_points(SurfaceMesh& mesh) {
-    std::vector<Index> number(soup_.points.size(), none);
+  void number_points(RepairedSurface& result) {
+    std::vector<Index>& number = result.vertex_of_point;
+    number.assign(soup_.points.size(), none);
     for (const Tri& t : soup_.triangles)
       for (const Index v : t) number[v] = 0;
     for (std::size_t v = 0; v < number.size(); ++v) {
       if (number[v] == none) continue;
-      number[v] = mesh.vertex_count();
-      mesh.points.push_back(soup_.points[v]);
+      number[v] = result.mesh.vertex_count();
+      result.mesh.points.push_back(soup_.points[v]);
     }
     for (Tri& t : soup_.triangles)
       for (Index& v : t) v = number[v];
+    for (std::size_t v = 0; v < number.size(); ++v) number[v] = number[first_[v]];
   }
 
   SurfaceSoup soup_;
   RepairOptions options_;
-  std::vector<char> used_;  // #points
+  std::vector<char> used_;    // #points
+  std::vector<Index> first_;  // #points  what each is welded to
   double diagonal_ = 0;
   RepairReport report_;
 };

@@ -36,6 +36,7 @@ struct RepairReport {
 
 struct RepairedSurface {
   SurfaceMesh mesh;                      // points in the order of the soup
+  std::vector<Index> vertex_of_point;    // #points of the soup; none where no triangle has it
   std::vector<std::string> group_names;  // of mesh.group
   RepairReport report;
 };

@@ -1,0 +1,72 @@
+#include "surface/features.h"
+
+#include <algorithm>
+
+#include "base/disjoint_sets.h"
+#include "surface/corners.h"
+#include "surface/sharp_edges.h"
+
+namespace lpq {
+namespace {
+
+Index edge_between(const SurfaceEdges& edges, std::array<Index, 2> ends) {
+  if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
+  const auto at = std::lower_bound(edges.ends.begin(), edges.ends.end(), ends);
+  return at != edges.ends.end() && *at == ends ? static_cast<Index>(at - edges.ends.begin()) : none;
+}
+
+void mark_hard_edges(const SurfaceMesh& mesh, const FeatureOptions& options,
+                     const FeatureMarks& marks, SurfaceFeatures& features) {
+  const SurfaceEdges& edges = features.edges;
+  for (Index i = 0; i < edges.count(); ++i) {
+    const auto around = edges.half_edges.row(i);
+    if (mesh.twins[around[0]] == none) {
+      features.kind[i] = FeatureKind::wall;
+    } else if (options.groups &&
+               mesh.group[triangle_of(around[0])] != mesh.group[triangle_of(around[1])]) {
+      features.kind[i] = FeatureKind::group_border;
+    }
+  }
+  for (const auto& ends : marks.sharp) {
+    const Index i = edge_between(edges, ends);
+    if (i != none && features.kind[i] == FeatureKind::smooth)
+      features.kind[i] = FeatureKind::marked;
+  }
+}
+
+void unmark_smooth_edges(const FeatureMarks& marks, SurfaceFeatures& features) {
+  for (const auto& ends : marks.smooth) {
+    const Index i = edge_between(features.edges, ends);
+    if (i != none && features.kind[i] != FeatureKind::wall) features.kind[i] = FeatureKind::smooth;
+  }
+}
+
+void number_faces(const SurfaceMesh& mesh, SurfaceFeatures& features) {
+  DisjointSets sets(mesh.triangle_count());
+  for (Index e = 0; e < 3 * mesh.triangle_count(); ++e)
+    if (mesh.twins[e] > e && !features.half_edge_is_feature(e))
+      sets.unite(triangle_of(e), triangle_of(mesh.twins[e]));
+  features.face.resize(mesh.triangles.size());
+  for (Index t = 0; t < mesh.triangle_count(); ++t) {
+    const Index root = sets.root(t);
+    features.face[t] = root == t ? features.face_count++ : features.face[root];
+  }
+}
+
+}  // namespace
+
+SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> size,
+                              const FeatureOptions& options, const FeatureMarks& marks) {
+  SurfaceFeatures features;
+  features.edges = surface_edges(mesh.triangles, mesh.vertex_count());
+  features.kind.assign(features.edges.ends.size(), FeatureKind::smooth);
+  mark_hard_edges(mesh, options, marks, features);
+  mark_sharp_edges(mesh, options, features);
+  unmark_smooth_edges(marks, features);
+  drop_short_chains(mesh, size, options, features);
+  number_faces(mesh, features);
+  mark_corners(mesh, size, options.corner_angle, features);
+  return features;
+}
+
+}  // namespace lpq
