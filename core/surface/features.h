@@ -11,13 +11,13 @@
 namespace lpq {
 
 struct FeatureOptions {
-  double angle = 40;         // degrees between normals from which an edge is sharp; 180: none is
-  double hysteresis = 0.6;   // part of the angle from which an edge carries on a sharp chain
-  double shortest = 5;       // mesh sizes; smaller heaps of sharp edges with loose ends are noise
-  double shortest_loop = 1;  // mesh sizes; the same for heaps without loose ends
-  double shortest_stub = 1;  // mesh sizes; shorter side branches with a loose end are noise
-  double corner_angle = 40;  // degrees of turn from which a curve has a corner
-  bool groups = true;        // keep the borders between groups of the file
+  double angle = 40;           // degrees between normals from which an edge is sharp; 180: none is
+  double hysteresis = 0.6;     // part of the angle from which an edge carries on a sharp chain
+  double shortest = 5;         // mesh sizes; smaller heaps of sharp edges with loose ends are noise
+  double shortest_loop = 1.5;  // mesh sizes; the same for heaps without loose ends
+  double shortest_stub = 1;    // mesh sizes; shorter side branches with a loose end are noise
+  double corner_angle = 40;    // degrees of turn from which a curve has a corner
+  bool groups = true;          // keep the borders between groups of the file
 };
 
 /// Edges that the caller decides about, as pairs of vertices; wins over angles and groups.

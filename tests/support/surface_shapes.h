@@ -65,7 +65,7 @@ lpq::SurfaceSoup sheet_soup(int n, Height&& z) {
   using lpq::Index;
   lpq::SurfaceSoup soup;
   for (int j = 0; j <= n; ++j)
-    for (int i = 0; i <= n; ++i) soup.points.push_back({double(i), double(j), z(i, j)});
+    for (int i = 0; i <= n; ++i) soup.points.push_back({double(i), double(j), double(z(i, j))});
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
       const Index a = j * (n + 1) + i;

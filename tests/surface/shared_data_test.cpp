@@ -2,6 +2,7 @@
 #include "catch.h"
 #include "io/surface/obj_surface.h"
 #include "support/surface_checks.h"
+#include "support/surface_curves.h"
 #include "support/surface_data.h"
 #include "surface/repair.h"
 
@@ -21,6 +22,23 @@ RepairedSurface read_and_repair(const std::filesystem::path& path) {
   return *std::move(surface);
 }
 
+/// A mesh size for so many quads.
+double size_for(const SurfaceMesh& mesh, double quads) {
+  return std::sqrt(area_of(mesh.points, mesh.triangles) / quads);
+}
+
+void check_curves_of(const SurfaceMesh& mesh) {
+  for (const double quads : {300.0, 3000.0, 30000.0}) {
+    const std::vector<double> size(mesh.points.size(), size_for(mesh, quads));
+    const SurfaceFeatures features = find_features(mesh, size);
+    const SurfaceCurves curves = trace_curves(mesh, features);
+    check_curves(mesh, features, curves);
+    const auto nodes = mesh_curves(mesh, features, curves, size);
+    REQUIRE(nodes.has_value());
+    check_curve_mesh(mesh, features, curves, *nodes);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("valid surfaces of the shared data keep every triangle with a height") {
@@ -31,6 +49,7 @@ TEST_CASE("valid surfaces of the shared data keep every triangle with a height")
     CHECK(surface.report.flat_left == 0);
     CHECK(surface.report.turned_triangles == 0);
     CHECK(surface.report.conflict_edges == 0);
+    check_curves_of(surface.mesh);
   }
 }
 
@@ -40,5 +59,6 @@ TEST_CASE("defective surfaces of the shared data become surfaces with walls") {
     const RepairedSurface surface = read_and_repair(path);
     check_surface(surface.mesh);
     CHECK(surface.report.flat_left == 0);
+    check_curves_of(surface.mesh);
   }
 }

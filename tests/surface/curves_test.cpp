@@ -1,0 +1,176 @@
+// Curves and their 1D mesh.
+#include "surface/curves.h"
+
+#include "base/rng.h"
+#include "catch.h"
+#include "support/surface_checks.h"
+#include "support/surface_curves.h"
+#include "support/surface_shapes.h"
+#include "surface/repair.h"
+
+using namespace lpq;
+using namespace lpq_test;
+
+namespace {
+
+struct Curves {
+  SurfaceMesh mesh;
+  std::vector<double> size;
+  SurfaceFeatures features;
+  SurfaceCurves curves;
+  CurveMesh nodes;
+};
+
+template <class Size>
+Curves curves_by(const SurfaceSoup& soup, Size&& size, FeatureOptions options = {}) {
+  auto surface = repair_surface(soup);
+  REQUIRE(surface.has_value());
+  Curves all;
+  all.mesh = std::move(surface->mesh);
+  for (const Vec3 p : all.mesh.points) all.size.push_back(size(p));
+  all.features = find_features(all.mesh, all.size, options);
+  all.curves = trace_curves(all.mesh, all.features);
+  auto nodes = mesh_curves(all.mesh, all.features, all.curves, all.size);
+  REQUIRE(nodes.has_value());
+  all.nodes = *std::move(nodes);
+  check_curves(all.mesh, all.features, all.curves);
+  check_curve_mesh(all.mesh, all.features, all.curves, all.nodes);
+  return all;
+}
+Curves curves_of(const SurfaceSoup& soup, double size, FeatureOptions options = {}) {
+  return curves_by(
+      soup, [size](Vec3) { return size; }, options);
+}
+
+Index edge_count(const Curves& all, Index c) {
+  return static_cast<Index>(all.nodes.nodes.row(c).size()) - 1;
+}
+
+}  // namespace
+
+TEST_CASE("a box: twelve curves of equal, even steps") {
+  const auto box = curves_of(box_soup({1, 2, 3}, 5), 0.1);
+  REQUIRE(box.curves.count() == 12);
+  CHECK(box.nodes.points.size() == 8 + 4 * (9 + 19 + 29));
+  for (Index c = 0; c < 12; ++c) {
+    CHECK(edge_count(box, c) % 2 == 0);
+    CHECK(box.curves.faces.row(c).size() == 2);
+    const auto row = box.nodes.nodes.row(c);
+    for (std::size_t k = 1; k < row.size(); ++k)
+      CHECK(distance(box.nodes.points[row[k - 1]], box.nodes.points[row[k]]) == Approx(0.1));
+  }
+}
+
+TEST_CASE("steps are equal in int ds/h where the size varies") {
+  const auto size = [](Vec3 p) { return 0.02 + 0.05 * p.x + 0.03 * p.y * p.y; };
+  const auto box = curves_by(box_soup({1, 2, 3}, 40), size);
+  for (Index c = 0; c < box.curves.count(); ++c) {
+    const auto row = box.nodes.nodes.row(c);
+    double least = 1e9, most = 0;
+    for (std::size_t k = 1; k < row.size(); ++k) {
+      const Vec3 a = box.nodes.points[row[k - 1]], b = box.nodes.points[row[k]];
+      double steps = 0;  // midpoint rule along the straight side
+      for (int i = 0; i < 100; ++i)
+        steps += distance(a, b) / 100 / size(a + ((i + 0.5) / 100) * (b - a));
+      least = std::min(least, steps);
+      most = std::max(most, steps);
+    }
+    CHECK(most < least * 1.02);
+    CHECK(std::abs(most - 1) < 0.05);
+  }
+}
+
+TEST_CASE(
+    "a size along edges: the same where it is constant, finer where only the function knows") {
+  const auto box = curves_of(box_soup({1, 1, 1}, 1), 0.1);
+  auto same = mesh_curves_by([](Vec3) { return 0.1; }, box.mesh, box.features, box.curves);
+  REQUIRE(same.has_value());
+  CHECK(same->points.size() == box.nodes.points.size());
+  // A fine spot in the middle of edges that have vertices at their ends only.
+  const auto dip = [](Vec3 p) { return std::abs(p.x - 0.5) < 0.1 ? 0.01 : 0.1; };
+  auto finer = mesh_curves_by(dip, box.mesh, box.features, box.curves);
+  REQUIRE(finer.has_value());
+  check_curve_mesh(box.mesh, box.features, box.curves, *finer);
+  CHECK(finer->points.size() > box.nodes.points.size() + 4 * 10);
+}
+
+TEST_CASE("closed curves get four edges or more, and are even") {
+  const double none_of_it = 180;
+  for (const double h : {0.05, 0.3, 2.0, 100.0}) {
+    const auto ring = curves_of(band_soup(24, 0), h, {.angle = none_of_it});
+    REQUIRE(ring.curves.count() == 2);
+    for (Index c = 0; c < 2; ++c) {
+      CHECK(ring.curves.is_loop[c] == 1);
+      CHECK(edge_count(ring, c) >= 4);
+      CHECK(edge_count(ring, c) % 2 == 0);
+    }
+  }
+}
+
+TEST_CASE("a dangling line and a cut have the same face on both sides") {
+  const auto band = curves_of(band_soup(12, 1), 0.2, {.angle = 180});
+  bool found = false;
+  for (Index c = 0; c < band.curves.count(); ++c) {
+    const auto faces = band.curves.faces.row(c);
+    found = found || (faces.size() == 2 && faces[0] == faces[1]);
+  }
+  CHECK(found);
+}
+
+TEST_CASE("random patchworks of groups: every face can be all quads at every size") {
+  Rng rng(7);
+  for (int round = 0; round < 60; ++round) {
+    const int n = 6;
+    SurfaceSoup soup =
+        round % 2 == 0 ? sheet_soup(n, [](int, int) { return 0; }) : box_soup({6, 6, 6}, n);
+    const Index groups = 2 + static_cast<Index>(rng.below(12));
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+      soup.group.push_back(static_cast<Index>(rng.below(static_cast<std::uint64_t>(groups))));
+    soup.group_names.assign(static_cast<std::size_t>(groups), "x");
+    curves_of(soup, rng.between(0.2, 4));
+  }
+}
+
+TEST_CASE("sheets meeting in threes: every face is even") {
+  Rng rng(9);
+  for (int round = 0; round < 40; ++round) {
+    SurfaceSoup soup;
+    for (int sheet = 0; sheet < 4; ++sheet) {
+      const SurfaceSoup one = sheet_soup(4, [](int, int) { return 0; });
+      const auto first = static_cast<Index>(soup.points.size());
+      for (const Vec3 p : one.points) {
+        const Vec3 turned[] = {{p.x, p.y, 2}, {p.x, 2, p.y}, {2, p.x, p.y}, {p.x, p.y, 4}};
+        soup.points.push_back(turned[sheet]);
+      }
+      for (const Tri& t : one.triangles) {
+        soup.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+        soup.group.push_back(rng.below(6) == 0);
+      }
+    }
+    soup.group_names = {"a", "b"};
+    curves_of(soup, rng.between(0.3, 3));
+  }
+}
+
+TEST_CASE("two curves with the same ends do not become the same edge") {
+  // A lens: two faces side by side in a square, meeting in two points of the border.
+  SurfaceSoup soup = sheet_soup(2, [](int, int) { return 0; });
+  soup.group = {0, 1, 1, 2, 1, 2, 2, 2};
+  soup.group_names = {"a", "b", "c"};
+  curves_of(soup, 50);
+}
+
+TEST_CASE("sizes that cannot be are refused") {
+  const auto box = curves_of(box_soup({1, 1, 1}, 1), 0.1);
+  for (const double size : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    std::vector<double> sizes = box.size;
+    sizes[3] = size;
+    const auto nodes = mesh_curves(box.mesh, box.features, box.curves, sizes);
+    REQUIRE_FALSE(nodes.has_value());
+    CHECK(nodes.error().code == ErrorCode::bad_size);
+  }
+  const std::vector<double> tiny(box.size.size(), 1e-12);
+  const auto nodes = mesh_curves(box.mesh, box.features, box.curves, tiny);
+  REQUIRE_FALSE(nodes.has_value());
+  CHECK(nodes.error().code == ErrorCode::too_many_elements);
+}

@@ -1,0 +1,153 @@
+// Features, corners and faces of surfaces whose lines are known.
+#include "surface/features.h"
+
+#include "catch.h"
+#include "support/surface_checks.h"
+#include "support/surface_shapes.h"
+#include "surface/normals.h"
+#include "surface/repair.h"
+
+using namespace lpq;
+using namespace lpq_test;
+
+namespace {
+
+SurfaceMesh mesh_of(const SurfaceSoup& soup) {
+  auto surface = repair_surface(soup);
+  REQUIRE(surface.has_value());
+  return std::move(surface->mesh);
+}
+
+SurfaceFeatures features_of(const SurfaceMesh& mesh, double size = 1, FeatureOptions options = {},
+                            const FeatureMarks& marks = {}) {
+  return find_features(mesh, std::vector<double>(mesh.points.size(), size), options, marks);
+}
+
+Index count_of(const SurfaceFeatures& features, FeatureKind kind) {
+  return static_cast<Index>(std::count(features.kind.begin(), features.kind.end(), kind));
+}
+Index corners_of(const SurfaceFeatures& features) {
+  return static_cast<Index>(std::count(features.corner.begin(), features.corner.end(), 1));
+}
+
+/// A sheet of n x n squares, folded along x = n / 2 by a height of slope(j) on both sides.
+SurfaceSoup ridge(int n, const std::vector<double>& slope) {
+  return sheet_soup(n, [&](int i, int j) { return -slope[j] * std::abs(i - n / 2); });
+}
+
+}  // namespace
+
+TEST_CASE("a box has twelve sides, eight corners and six faces") {
+  const SurfaceMesh mesh = mesh_of(box_soup({1, 2, 3}, 5));
+  const auto box = features_of(mesh, 0.2);
+  CHECK(count_of(box, FeatureKind::sharp) == 60);
+  CHECK(corners_of(box) == 8);
+  CHECK(box.face_count == 6);
+  CHECK(features_of(mesh, 0.2, {.angle = 89}).face_count == 6);
+  const auto smooth = features_of(mesh, 0.2, {.angle = 91});
+  CHECK(smooth.face_count == 1);
+  CHECK(corners_of(smooth) == 0);
+}
+
+TEST_CASE("every edge of a flat sheet is smooth, its border is kept") {
+  const SurfaceMesh mesh = mesh_of(sheet_soup(6, [](int, int) { return 0; }));
+  const auto sheet = features_of(mesh);
+  CHECK(count_of(sheet, FeatureKind::wall) == 24);
+  CHECK(count_of(sheet, FeatureKind::smooth) == sheet.edges.count() - 24);
+  CHECK(corners_of(sheet) == 4);
+  CHECK(features_of(mesh, 100).face_count == 1);
+}
+
+TEST_CASE("a chain goes on while it is less sharp, and ends where it is smooth") {
+  // Angles between normals: 2 atan(slope).
+  const auto fold = [](std::vector<double> slope) {
+    const SurfaceMesh mesh = mesh_of(ridge(8, slope));
+    return count_of(features_of(mesh, 0.5), FeatureKind::sharp);
+  };
+  CHECK(fold(std::vector<double>(9, 0.5)) == 8);  // 53 degrees
+  CHECK(fold(std::vector<double>(9, 0.3)) == 0);  // 33 degrees: nothing starts it
+  CHECK(fold({0.5, 0.5, 0.5, 0.5, 0.3, 0.3, 0.3, 0.3, 0.3}) == 8);
+  const Index fading = fold({0.5, 0.5, 0.45, 0.38, 0.3, 0.24, 0.2, 0.15, 0.1});
+  CHECK(fading >= 5);
+  CHECK(fading < 8);
+}
+
+TEST_CASE("small bumps are noise, unless they touch something hard") {
+  const auto bump = [](int at) {
+    return mesh_of(sheet_soup(20, [at](int i, int j) { return i == at && j == 10 ? 1.0 : 0.0; }));
+  };
+  CHECK(count_of(features_of(bump(10), 3), FeatureKind::sharp) == 0);
+  CHECK(features_of(bump(10), 3).face_count == 1);
+  CHECK(count_of(features_of(bump(10), 0.4), FeatureKind::sharp) > 0);
+  CHECK(count_of(features_of(bump(1), 1), FeatureKind::sharp) > 0);
+}
+
+TEST_CASE("borders between groups are kept, and the caller has the last word") {
+  SurfaceSoup soup = sheet_soup(6, [](int, int) { return 0; });
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    soup.group.push_back(t < soup.triangles.size() / 2 ? 0 : 1);
+  soup.group_names = {"a", "b"};
+  const SurfaceMesh mesh = mesh_of(soup);
+  const auto two = features_of(mesh, 10);
+  CHECK(two.face_count == 2);
+  CHECK(count_of(two, FeatureKind::group_border) == 6);
+  CHECK(corners_of(two) == 6);
+  CHECK(features_of(mesh, 10, {.groups = false}).face_count == 1);
+  const Index middle = 3 * 7 + 3;
+  FeatureMarks marks;
+  marks.smooth = {{middle, middle + 1}, {0, 1}};
+  marks.sharp = {{middle + 7, middle}, {0, 48}};
+  const auto marked = features_of(mesh, 10, {}, marks);
+  CHECK(marked.face_count == 1);
+  CHECK(count_of(marked, FeatureKind::marked) == 1);
+  CHECK(count_of(marked, FeatureKind::wall) == 24);
+}
+
+TEST_CASE("jagged borders have no corner at every tooth") {
+  SurfaceSoup soup = sheet_soup(20, [](int, int) { return 0; });
+  for (int i = 1; i < 20; i += 2) soup.points[i].y -= 0.9;
+  const SurfaceMesh mesh = mesh_of(soup);
+  CHECK(corners_of(features_of(mesh, 8)) <= 6);
+  CHECK(corners_of(features_of(mesh, 0.1)) >= 20);
+}
+
+TEST_CASE("sheets that meet: walls are features, points where only cones meet are corners") {
+  SurfaceSoup soup = sheet_soup(4, [](int, int) { return 0; });
+  const SurfaceSoup other = sheet_soup(4, [](int, int) { return 0; });
+  const auto first = static_cast<Index>(soup.points.size());
+  for (const Vec3 p : other.points) soup.points.push_back({p.x, 2, p.y});
+  for (const Tri& t : other.triangles)
+    soup.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  const SurfaceMesh mesh = mesh_of(soup);
+  const auto joint = features_of(mesh, 10);
+  CHECK(joint.face_count == 3);
+  CHECK(corners_of(joint) == 4 + 2 + 2);
+
+  const SurfaceMesh cones = mesh_of([] {
+    SurfaceSoup two;
+    for (const double z : {1.0, -1.0}) {
+      const auto at = static_cast<Index>(two.points.size());
+      for (const Vec3 p : {Vec3{0, 0, 0}, Vec3{1, 0, z}, Vec3{0, 1, z}, Vec3{-1, -1, z}})
+        two.points.push_back(p);
+      for (Index k = 1; k <= 3; ++k) two.triangles.push_back({at, at + k, at + k % 3 + 1});
+    }
+    return two;
+  }());
+  const auto pair = features_of(cones, 10, {.angle = 180});
+  CHECK(pair.corner[0] == 1);
+}
+
+TEST_CASE("needles in a plane do not make it sharp") {
+  // A plane with a vertex so near an edge that rounding decides where the triangle looks.
+  SurfaceSoup soup = sheet_soup(4, [](int, int) { return 0; });
+  const auto apex = static_cast<Index>(soup.points.size());
+  soup.points.push_back({1.5, 1.5 + 1e-8, 1e-7});
+  const Index a = 6, b = 12;  // the diagonal of square (1, 1)
+  std::erase_if(soup.triangles, [&](const Tri& t) { return t == Tri{a, b, b - 1}; });
+  soup.triangles.push_back({a, apex, b - 1});
+  soup.triangles.push_back({apex, b, b - 1});
+  soup.triangles.push_back({a, b, apex});
+  const SurfaceMesh mesh = mesh_of(soup);
+  for (const Vec3 n : triangle_normals(mesh)) CHECK(n.z > 0.99);
+  CHECK(count_of(features_of(mesh, 0.1), FeatureKind::sharp) == 0);
+}
