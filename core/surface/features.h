@@ -14,7 +14,7 @@ struct FeatureOptions {
   double angle = 40;           // degrees between normals from which an edge is sharp; 180: none is
   double hysteresis = 0.6;     // part of the angle from which an edge carries on a sharp chain
   double shortest = 5;         // mesh sizes; smaller heaps of sharp edges with loose ends are noise
-  double shortest_loop = 1.5;  // mesh sizes; the same for heaps without loose ends
+  double shortest_loop = 1.5;  // mesh sizes; the same for heaps without loose ends, except rims
   double shortest_stub = 1;    // mesh sizes; shorter side branches with a loose end are noise
   double corner_angle = 40;    // degrees of turn from which a curve has a corner
   bool groups = true;          // keep the borders between groups of the file
@@ -42,12 +42,12 @@ struct SurfaceFeatures {
 /// `size` is the mesh size at each vertex (#V, > 0). Walls are features always (marks cannot open
 /// them), group borders if asked, sharp edges by angle: chains start where the angle is reached and
 /// go on, straight ahead, down to its part `hysteresis` (as edges in pictures [Canny 1986]); what
-/// is too short for the mesh size and touches nothing hard is dropped. Triangles so flat that their
-/// normals are noise take the normal from across their longest edge.
-/// Corners: where other than two features meet, where a curve turns (both at the vertex and between
-/// points half a mesh size away), where the faces along a curve change, and where sheets meet in a
-/// point only. Faces are connected across edges that are no features, numbered by first triangle.
-/// Cost O(#T log valence).
+/// is too short for the mesh size and touches nothing hard is dropped (but never a plain closed
+/// line of eight edges or more: the rim of a hole). Triangles so flat that their normals are noise
+/// take the normal from across their longest edge. Corners: where other than two features meet,
+/// where a curve turns (both at the vertex and between points half a mesh size away), where the
+/// faces along a curve change, and where sheets meet in a point only. Faces are connected across
+/// edges that are no features, numbered by first triangle. Cost O(#T log valence).
 SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> size,
                               const FeatureOptions& options = {}, const FeatureMarks& marks = {});
 

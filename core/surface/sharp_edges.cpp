@@ -134,8 +134,12 @@ struct Heap {
   Vec3 low, high;
   double sizes = 0;  // sum over its edge ends
   Index ends = 0;
-  bool hard = false, loose = false;
+  bool hard = false, loose = false, branched = false;
 };
+
+// Noise goes around a triangle or around a vertex and its six or so neighbours; a plain loop of
+// more edges, however small, is the rim of a hole.
+constexpr Index fewest_of_rim = 8;
 
 class HeapFilter {
  public:
@@ -183,10 +187,12 @@ class HeapFilter {
     ++heap.ends;
     heap.hard = heap.hard || kind > FeatureKind::sharp;
     heap.loose = heap.loose || valence == 1;
+    heap.branched = heap.branched || valence > 2;
   }
 
   bool is_noise(const Heap& heap) const {
     if (heap.hard) return false;
+    if (!heap.loose && !heap.branched && heap.ends >= 2 * fewest_of_rim) return false;
     const double shortest = heap.loose ? options_.shortest : options_.shortest_loop;
     return length(heap.high - heap.low) < shortest * heap.sizes / heap.ends;
   }

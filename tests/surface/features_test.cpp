@@ -82,6 +82,35 @@ TEST_CASE("small bumps are noise, unless they touch something hard") {
   CHECK(count_of(features_of(bump(1), 1), FeatureKind::sharp) > 0);
 }
 
+TEST_CASE("rims of holes are kept at every size, small loops of noise are not") {
+  // A plate with a round pit of so many sides.
+  const auto pit = [](int sides) {
+    SurfaceSoup soup;
+    const auto ring = [&](double r, double z) {
+      for (int i = 0; i < sides; ++i) {
+        const double angle = 2 * 3.14159265358979 * i / sides;
+        soup.points.push_back({r * std::cos(angle), r * std::sin(angle), z});
+      }
+    };
+    ring(30, 0);
+    ring(1, 0);
+    ring(1, -2);
+    soup.points.push_back({0, 0, -2});
+    const Index n = sides;
+    for (Index i = 0; i < n; ++i) {
+      const Index j = (i + 1) % n;
+      for (Index row = 0; row < 2; ++row) {
+        soup.triangles.push_back({row * n + i, row * n + j, (row + 1) * n + j});
+        soup.triangles.push_back({row * n + i, (row + 1) * n + j, (row + 1) * n + i});
+      }
+      soup.triangles.push_back({2 * n + i, 2 * n + j, 3 * n});
+    }
+    return mesh_of(soup);
+  };
+  CHECK(features_of(pit(16), 10).face_count == 3);
+  CHECK(features_of(pit(5), 10).face_count == 1);
+}
+
 TEST_CASE("borders between groups are kept, and the caller has the last word") {
   SurfaceSoup soup = sheet_soup(6, [](int, int) { return 0; });
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)
