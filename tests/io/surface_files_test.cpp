@@ -2,10 +2,18 @@
 #include "support/surface_files.h"
 
 #include "catch.h"
+#include "io/mesh/msh.h"
+#include "io/surface/msh_surface.h"
 #include "io/surface/obj_surface.h"
+#include "io/surface/off_surface.h"
+#include "io/surface/ply_surface.h"
 #include "io/surface/stl_surface.h"
+#include "io/surface/surface_format.h"
+#include "support/output_meshes.h"
 #include "support/surface_checks.h"
+#include "support/surface_data.h"
 #include "support/surface_shapes.h"
+#include "surface/repair.h"
 
 using namespace lpq;
 using namespace lpq_test;
@@ -116,4 +124,155 @@ TEST_CASE("STL: what is wrong has a place") {
   CHECK(bad(read_stl_surface(facet + "facet")).where.line == 6);
   CHECK(bad(read_stl_surface(facet + "solid")).where.line == 6);
   CHECK(bad(read_stl_surface("solid\ntriangle\n")).where.line == 2);
+}
+
+TEST_CASE("OFF: headers, white space, colours") {
+  const std::string square = "0 0 0\n1 0 0\n1 1 0\n0 1 0 255 0 0\n4 0 1 2 3 1.0 0 0\n";
+  for (const std::string head : {"OFF\n4 1 0\n", "OFF 4 1 0\n", "# x\n\nOFF4 1 # y\n", "4 1 4\r\n",
+                                 "COFF\n4 1 0\n\n", "STCNOFF 4 1\n"}) {
+    const auto soup = good(read_off_surface(head + square));
+    CHECK(soup.triangles.size() == 2);
+    CHECK(area_of(soup.points, soup.triangles) == Approx(1));
+  }
+  const auto odd = good(read_off_surface("OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n0\n"));
+  CHECK(odd.triangles.size() == 1);
+  REQUIRE(odd.warnings.size() == 1);
+  CHECK(odd.warnings[0].where.line == 6);
+}
+
+TEST_CASE("OFF: what is wrong has a line") {
+  CHECK(bad(read_off_surface("")).code == ErrorCode::parse_error);
+  CHECK(bad(read_off_surface("OFF")).code == ErrorCode::parse_error);
+  CHECK(bad(read_off_surface("OFF BINARY\n")).code == ErrorCode::parse_error);
+  CHECK(bad(read_off_surface("4OFF\n1 1 1\n")).code == ErrorCode::parse_error);
+  CHECK(bad(read_off_surface("OFF\n0 0 0\n")).code == ErrorCode::empty);
+  CHECK(bad(read_off_surface("OFF\n-3 -1 0\n")).code == ErrorCode::empty);
+  CHECK(bad(read_off_surface("OFF\n9999999999 1 0\n0 0 0\n")).where.line == 3);
+  CHECK(bad(read_off_surface("OFF\n1 1 0\n0 nan 0\n")).code == ErrorCode::non_finite);
+  const std::string three = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n";
+  CHECK(bad(read_off_surface(three)).code == ErrorCode::parse_error);
+  CHECK(bad(read_off_surface(three + "3 0 1 3\n")).where.line == 6);
+  CHECK(bad(read_off_surface(three + "4 0 1 2\n")).where.line == 6);
+  CHECK(bad(read_off_surface(three + "99999999999999 0 1 2\n")).where.line == 6);
+  CHECK(bad(read_off_surface(three + "3 0 1 1.5\n")).where.line == 6);
+}
+
+TEST_CASE("PLY: text and bytes of both orders") {
+  const SurfaceSoup box = box_soup({1, 2, 3}, 2);
+  for (const std::string& bytes : {text_ply(box), binary_ply(box, false), binary_ply(box, true)}) {
+    const auto soup = good(read_ply_surface(bytes));
+    CHECK(soup.triangles == box.triangles);
+    CHECK(area_of(soup.points, soup.triangles) == Approx(22));
+    CHECK(soup.group_names == std::vector<std::string>{"0", "1"});
+    CHECK(soup.group[3] == 1);
+  }
+  std::string crlf;
+  for (const char c : text_ply(box)) crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  CHECK(good(read_ply_surface(crlf)).triangles == box.triangles);
+}
+
+TEST_CASE("PLY: what is wrong has a place") {
+  CHECK(bad(read_ply_surface("")).code == ErrorCode::parse_error);
+  CHECK(bad(read_ply_surface("ply\nformat ascii 1.0\n")).code == ErrorCode::parse_error);
+  CHECK(bad(read_ply_surface("ply\nend_header\n")).code == ErrorCode::parse_error);
+  CHECK(bad(read_ply_surface("ply\nformat ascii 1.0\nend_header\n")).code == ErrorCode::empty);
+  CHECK(bad(read_ply_surface("ply\nformat binary 1.0\nend_header\n")).where.line == 2);
+  const std::string head = "ply\nformat ascii 1.0\nelement vertex 1\n";
+  for (const std::string line :
+       {"property float\n", "property real x\n", "property list float int x\n",
+        "property list int\n", "element face -1\n", "elements\n"})
+    CHECK(bad(read_ply_surface(head + line + "end_header\n")).where.line == 4);
+  CHECK(bad(read_ply_surface(head + "property float x\nend_header\n1\n")).code ==
+        ErrorCode::parse_error);
+  const std::string vertices = head + "property float x\nproperty float y\nproperty float z\n";
+  CHECK(bad(read_ply_surface(vertices + "end_header\n1 2 nan\n")).code == ErrorCode::non_finite);
+  CHECK(bad(read_ply_surface(vertices + "end_header\n1 2 x\n")).where.line == 8);
+  const std::string faces = vertices + "element face 1\nproperty list char int vertex_index\n";
+  CHECK(bad(read_ply_surface(faces + "end_header\n1 2 3\n3 0 0 1\n")).where.line == 11);
+  CHECK(bad(read_ply_surface(faces + "end_header\n1 2 3\n-3 0 0 0\n")).where.line == 11);
+  CHECK(bad(read_ply_surface(faces + "end_header\n1 2 3\n3 0 0\n")).code == ErrorCode::parse_error);
+  CHECK(bad(read_ply_surface(vertices + "element face 1\nproperty int n\nend_header\n1 2 3\n3\n"))
+            .code == ErrorCode::parse_error);
+  const std::string bytes = binary_ply(box_soup({1, 1, 1}, 1), true);
+  for (std::size_t size = 0; size < bytes.size(); size += 7)
+    CHECK(bad(read_ply_surface(bytes.substr(0, size))).code == ErrorCode::parse_error);
+}
+
+TEST_CASE("MSH: groups from physical and elementary surfaces") {
+  const SurfaceSoup box = box_soup({1, 2, 3}, 2);
+  const auto soup = good(read_msh_surface(msh_text(box)));
+  CHECK(soup.triangles == box.triangles);
+  CHECK(soup.group_names == std::vector<std::string>{"even", "physical surface 2"});
+  // Our own plane meshes, in both versions, as surfaces: quads are halved.
+  for (const MshVersion version : {MshVersion::v4_1, MshVersion::v2_2}) {
+    const OutputMesh plane = two_region_mesh();
+    const auto mesh = good(read_msh_surface(write_msh(plane, version)));
+    CHECK(mesh.group_names.size() == 2);
+    CHECK(mesh.triangles.size() >= plane.faces.size());
+  }
+  const std::string head =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 0 1 2\n"
+      "4 .5 0 0\n5 .5 .5 1\n6 0 .5 1\n$EndNodes\n$Elements\n2\n";
+  const auto curved =
+      good(read_msh_surface(head + "1 4 2 0 1 1 2 3 4\n2 9 2 0 3 1 2 3 4 5 6\n$EndElements\n"));
+  CHECK(curved.triangles.size() == 1);
+  CHECK(curved.group_names == std::vector<std::string>{"surface 3"});
+  CHECK(curved.warnings.size() == 1);
+  CHECK(bad(read_msh_surface(head + "1 15 2 0 1 1\n2 15 2 0 1 2\n$EndElements\n")).code ==
+        ErrorCode::empty);
+  CHECK(bad(read_msh_surface(head + "1 15 2 0 1 1\n2 2 2 0 1 2 3 9\n$EndElements\n")).where.line ==
+        16);
+  CHECK(bad(read_msh_surface("$MeshFormat\n4 1 8\n")).code == ErrorCode::parse_error);
+}
+
+TEST_CASE("surface formats by name, ending and content") {
+  const SurfaceSoup box = box_soup({1, 1, 1}, 1);
+  const std::pair<SurfaceFormat, std::string> samples[] = {
+      {SurfaceFormat::obj, obj_text(box)},
+      {SurfaceFormat::off, off_text(box)},
+      {SurfaceFormat::stl, text_stl(box)},
+      {SurfaceFormat::stl, binary_stl(box)},
+      {SurfaceFormat::stl, binary_stl(box, "solid")},
+      {SurfaceFormat::ply, text_ply(box)},
+      {SurfaceFormat::ply, binary_ply(box, true)},
+      {SurfaceFormat::msh, msh_text(box)}};
+  for (const auto& [format, bytes] : samples) {
+    INFO(static_cast<int>(format));
+    CHECK(surface_format_by_content(bytes) == format);
+    const auto soup = good(read_surface_file("-", bytes));
+    const auto surface = repair_surface(soup);
+    REQUIRE(surface.has_value());
+    check_surface(surface->mesh);
+    CHECK(volume_of(surface->mesh) == Approx(1));
+  }
+  CHECK(surface_format_by_ending("a.b/part.STL") == SurfaceFormat::stl);
+  CHECK_FALSE(surface_format_by_ending("stl"));
+  CHECK_FALSE(surface_format_by_content(""));
+  CHECK_FALSE(surface_format_by_content("{}"));
+  CHECK(bad(read_surface_file("part.step", "ISO-10303-21;")).code == ErrorCode::parse_error);
+}
+
+TEST_CASE("odd and malformed files of the shared data: a surface or a sentence") {
+  int read = 0;
+  for (const auto& path : shared_surfaces("formats")) {
+    INFO(path.filename());
+    const std::string bytes = read_bytes(path);
+    for (const SurfaceFormatInfo& one : surface_formats) {
+      const auto soup = read_surface(bytes, one.format);
+      if (!soup) CHECK_FALSE(soup.error().message.empty());
+    }
+    if (!surface_format_by_ending(path.filename().string())) continue;
+    const auto soup = read_surface_file(path.filename().string(), bytes);
+    const std::string name = path.filename().string();
+    const bool refused = name == "empty.stl" || name == "points_emptyface.ply" ||
+                         name == "surfaces_in_3d.bin.v40.msh";
+    INFO((soup ? std::string() : soup.error().message));
+    CHECK(soup.has_value() == !refused);
+    if (!soup) continue;
+    const auto surface = repair_surface(*soup);
+    REQUIRE(surface.has_value());
+    check_surface(surface->mesh);
+    ++read;
+  }
+  CHECK((read == 0 || read >= 12));
 }

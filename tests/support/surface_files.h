@@ -67,4 +67,74 @@ inline std::string obj_text(const lpq::SurfaceSoup& soup) {
   return out;
 }
 
+inline std::string off_text(const lpq::SurfaceSoup& soup) {
+  std::string out = "OFF\n" + std::to_string(soup.points.size()) + ' ' +
+                    std::to_string(soup.triangles.size()) + " 0\n";
+  for (const lpq::Vec3 p : soup.points) out += point_text(p) + '\n';
+  for (const lpq::Tri& t : soup.triangles) {
+    out += '3';
+    for (const lpq::Index v : t) out += ' ' + std::to_string(v);
+    out += '\n';
+  }
+  return out;
+}
+
+inline std::string ply_header(const lpq::SurfaceSoup& soup, const std::string& format) {
+  return "ply\nformat " + format + " 1.0\ncomment a box\nelement vertex " +
+         std::to_string(soup.points.size()) +
+         "\nproperty uchar red\nproperty double x\nproperty float y\nproperty double z\n" +
+         "element edge 1\nproperty list uchar short ends\nelement face " +
+         std::to_string(soup.triangles.size()) +
+         "\nproperty list uchar int vertex_indices\nproperty short region\nend_header\n";
+}
+
+/// Every triangle in region t % 2.
+inline std::string text_ply(const lpq::SurfaceSoup& soup) {
+  std::string out = ply_header(soup, "ascii");
+  for (const lpq::Vec3 p : soup.points) out += "255 " + point_text(p) + '\n';
+  out += "2 0 -1\n";
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    out += '3';
+    for (const lpq::Index v : soup.triangles[t]) out += ' ' + std::to_string(v);
+    out += ' ' + std::to_string(t % 2) + '\n';
+  }
+  return out;
+}
+
+inline std::string binary_ply(const lpq::SurfaceSoup& soup, bool big) {
+  std::string out = ply_header(soup, big ? "binary_big_endian" : "binary_little_endian");
+  for (const lpq::Vec3 p : soup.points) {
+    out += '\xff';
+    append_double(out, p.x, big);
+    append_float(out, p.y, big);
+    append_double(out, p.z, big);
+  }
+  out += '\2';
+  append_bits(out, std::uint16_t{0}, big);
+  append_bits(out, std::uint16_t{0xffff}, big);
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    out += '\3';
+    for (const lpq::Index v : soup.triangles[t])
+      append_bits(out, static_cast<std::uint32_t>(v), big);
+    append_bits(out, static_cast<std::uint16_t>(t % 2), big);
+  }
+  return out;
+}
+
+/// Version 2.2, triangle t with physical tag 1 + t % 2 in entity 7.
+inline std::string msh_text(const lpq::SurfaceSoup& soup) {
+  std::string out = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n2 1 \"even\"\n" +
+                    std::string("$EndPhysicalNames\n$Nodes\n") +
+                    std::to_string(soup.points.size()) + '\n';
+  for (std::size_t v = 0; v < soup.points.size(); ++v)
+    out += std::to_string(v + 1) + ' ' + point_text(soup.points[v]) + '\n';
+  out += "$EndNodes\n$Elements\n" + std::to_string(soup.triangles.size() + 1) + "\n1 15 2 0 7 1\n";
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    out += std::to_string(t + 2) + " 2 2 " + std::to_string(1 + t % 2) + " 7";
+    for (const lpq::Index v : soup.triangles[t]) out += ' ' + std::to_string(v + 1);
+    out += '\n';
+  }
+  return out + "$EndElements\n";
+}
+
 }  // namespace lpq_test

@@ -1,0 +1,66 @@
+// A .msh file as it is written, with tags instead of indices: the common half of its readers.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "geometry/vec3.h"
+
+namespace lpq {
+
+struct MshNode {
+  std::int64_t tag = 0;
+  Vec3 point;
+};
+
+struct MshElement {
+  std::array<std::int64_t, 4> nodes{};  // tags
+  int size = 0;                         // 1 point, 2 line, 3 triangle, 4 quad
+  std::int64_t group = 0;               // physical tag, or -(entity tag) without one
+  std::int64_t line = 0, byte = 0;      // of the file
+  bool second_order = false;
+};
+
+/// A physical name, or the physical tag of an entity: a value kept per (dimension, tag).
+template <class Value>
+struct MshLabelled {
+  std::int64_t dimension = 0, tag = 0;
+  Value value;
+  bool operator<(const MshLabelled& other) const {
+    return dimension != other.dimension ? dimension < other.dimension : tag < other.tag;
+  }
+};
+
+template <class Value>
+const Value* find_msh_label(const std::vector<MshLabelled<Value>>& sorted, std::int64_t dimension,
+                            std::int64_t tag) {
+  const MshLabelled<Value> key{dimension, tag, {}};
+  const auto at = std::lower_bound(sorted.begin(), sorted.end(), key);
+  return at != sorted.end() && !(key < *at) ? &at->value : nullptr;
+}
+
+struct MshContent {
+  std::vector<MshLabelled<std::string>> names;  // sorted
+  std::vector<MshNode> nodes;                   // sorted by tag, each tag once
+  std::vector<MshElement> elements;
+
+  /// Index into nodes, none if there is no such tag. Cost O(log #nodes).
+  Index node_index(std::int64_t tag) const;
+};
+
+/// plane: z must be 0, and elements other than points, lines, triangles and quads of first order
+/// are an error, as they would be silently left out. space: any z, triangles and quads of second
+/// order are read as their corners, other kinds (volumes) are passed over.
+enum class MshScope { plane, space };
+
+/// Line by line as Gmsh writes it, versions 2.0 - 2.2 and 4.1, ASCII. Nothing is reserved from the
+/// counts in the file: memory grows only with lines that are really there. Errors: parse_error with
+/// line and byte.
+Result<MshContent> parse_msh(std::string_view text, MshScope scope);
+
+}  // namespace lpq

@@ -1,0 +1,61 @@
+// See msh_surface.h.
+#include "io/surface/msh_surface.h"
+
+#include "io/mesh/msh_parse.h"
+#include "io/surface/soup_builder.h"
+
+namespace lpq {
+namespace {
+
+std::string group_name(const MshContent& content, std::int64_t group) {
+  constexpr std::int64_t surfaces = 2;
+  if (const std::string* name = find_msh_label(content.names, surfaces, group)) return *name;
+  if (group == 0) return {};
+  return group > 0 ? "physical surface " + std::to_string(group)
+                   : "surface " + std::to_string(-group);
+}
+
+Error unknown_node(const MshElement& element, std::int64_t tag) {
+  Error error{ErrorCode::parse_error,
+              "An element names node " + std::to_string(tag) + ", which is not in the file.",
+              {}};
+  error.where.line = element.line;
+  error.where.byte = element.byte;
+  return error;
+}
+
+}  // namespace
+
+Result<SurfaceSoup> read_msh_surface(std::string_view text) {
+  const auto content = parse_msh(text, MshScope::space);
+  if (!content) return content.error();
+  SoupBuilder builder;
+  for (const MshNode& node : content->nodes) builder.add_point(node.point);
+  std::int64_t group = 0;
+  std::int64_t curved = 0;
+  for (const MshElement& element : content->elements) {
+    if (element.size < 3) continue;
+    if (!builder.has_polygon() || element.group != group) {
+      group = element.group;
+      builder.set_group(std::to_string(group), group_name(*content, group));
+    }
+    std::array<Index, 4> corners{};
+    const auto size = static_cast<std::size_t>(element.size);
+    for (std::size_t k = 0; k < size; ++k) {
+      corners[k] = content->node_index(element.nodes[k]);
+      if (corners[k] == none) return unknown_node(element, element.nodes[k]);
+    }
+    builder.add_polygon(std::span(corners).first(size));
+    curved += element.second_order;
+  }
+  if (builder.too_large()) return too_many_triangles();
+  if (!builder.has_polygon())
+    return Error{ErrorCode::empty, "The file has no triangle and no quad.", {}};
+  if (curved > 0)
+    builder.warn({ErrorCode::parse_error,
+                  std::to_string(curved) + " elements of second order are read as their corners.",
+                  {}});
+  return builder.take();
+}
+
+}  // namespace lpq

@@ -1,0 +1,17 @@
+// The triangles and quads of a Gmsh mesh as a surface.
+#pragma once
+
+#include <string_view>
+
+#include "base/result.h"
+#include "surface/soup.h"
+
+namespace lpq {
+
+/// Versions 2.0 - 2.2 and 4.1, ASCII. Triangles and quads of first or second order (as their
+/// corners, with a warning); points, lines and volumes are passed over. The group of an element is
+/// its physical surface, or without one its elementary surface. Errors: parse_error with line and
+/// byte; empty without a triangle or quad.
+Result<SurfaceSoup> read_msh_surface(std::string_view text);
+
+}  // namespace lpq

@@ -1,0 +1,244 @@
+// See ply_surface.h.
+#include "io/surface/ply_surface.h"
+
+#include <cmath>
+
+#include "io/surface/byte_order.h"
+#include "io/surface/ply_header.h"
+#include "io/surface/soup_builder.h"
+#include "io/surface/surface_text.h"
+#include "io/text_place.h"
+
+namespace lpq {
+namespace {
+
+/// Numbers one after the other, whatever they are written as. After the end, or on a word that is
+/// no number, `failed` is set and zeros follow.
+class PlyNumbers {
+ public:
+  PlyNumbers(std::string_view bytes, const PlyHeader& header)
+      : bytes_(bytes), format_(header.format), next_(header.size) {}
+
+  bool failed() const { return failed_; }
+  bool at_end() const { return next_ >= bytes_.size(); }
+  std::size_t byte() const { return start_; }
+
+  /// Texts have an element on a line; some write more there than their header says.
+  void end_element() {
+    if (format_ == PlyFormat::text)
+      next_ = std::min(bytes_.find_first_of("\r\n", next_), bytes_.size());
+  }
+
+  double next(PlyType type) {
+    if (failed_) return 0;
+    return format_ == PlyFormat::text ? next_word() : next_bytes(type);
+  }
+
+ private:
+  static constexpr std::string_view blanks = " \t\v\f\r\n";
+
+  double next_word() {
+    start_ = std::min(bytes_.find_first_not_of(blanks, next_), bytes_.size());
+    next_ = std::min(bytes_.find_first_of(blanks, start_), bytes_.size());
+    const std::string_view word = bytes_.substr(start_, next_ - start_);
+    double value = 0;
+    if (parse_number(word, value)) return value;
+    if (is_not_finite_word(word)) return std::nan("");
+    failed_ = true;
+    return 0;
+  }
+
+  double next_bytes(PlyType type) {
+    start_ = next_;
+    const std::size_t size = bytes_of(type);
+    if (bytes_.size() - next_ < size) {
+      failed_ = true;
+      return 0;
+    }
+    next_ += size;
+    const ByteOrder order = format_ == PlyFormat::big_endian ? ByteOrder::big : ByteOrder::little;
+    switch (type) {
+      case PlyType::int8:
+        return static_cast<std::int8_t>(unsigned_at<std::uint8_t>(bytes_, start_, order));
+      case PlyType::uint8: return unsigned_at<std::uint8_t>(bytes_, start_, order);
+      case PlyType::int16:
+        return static_cast<std::int16_t>(unsigned_at<std::uint16_t>(bytes_, start_, order));
+      case PlyType::uint16: return unsigned_at<std::uint16_t>(bytes_, start_, order);
+      case PlyType::int32:
+        return static_cast<std::int32_t>(unsigned_at<std::uint32_t>(bytes_, start_, order));
+      case PlyType::uint32: return unsigned_at<std::uint32_t>(bytes_, start_, order);
+      case PlyType::float32: return float32_at(bytes_, start_, order);
+      case PlyType::float64: return float64_at(bytes_, start_, order);
+    }
+    return 0;
+  }
+
+  std::string_view bytes_;
+  PlyFormat format_;
+  std::size_t start_ = 0, next_;
+  bool failed_ = false;
+};
+
+class PlyReader {
+ public:
+  PlyReader(std::string_view bytes, const PlyHeader& header)
+      : bytes_(bytes), header_(header), numbers_(bytes, header) {}
+
+  Result<SurfaceSoup> read() {
+    bool has_vertices = false;
+    for (const PlyElement& element : header_.elements) {
+      if (failed_) break;
+      // Counts of elements without properties are bounded by nothing in the file.
+      if (element.properties.empty()) continue;
+      if (element.name == "vertex" && !has_vertices) {
+        has_vertices = true;
+        read_vertices(element);
+      } else if (element.name == "face") {
+        read_faces(element);
+      } else {
+        for (std::int64_t i = 0; i < element.count && !failed_; ++i) pass_over(element);
+      }
+    }
+    if (failed_) return error_;
+    if (builder_.too_large()) return too_many_triangles();
+    if (!builder_.has_polygon()) return Error{ErrorCode::empty, "The file has no face.", {}};
+    if (short_faces_ > 0)
+      builder_.warn(
+          {ErrorCode::parse_error,
+           std::to_string(short_faces_) + " faces with fewer than three corners are left out.",
+           {}});
+    return builder_.take();
+  }
+
+ private:
+  void fail(std::string message, ErrorCode code = ErrorCode::parse_error) {
+    if (failed_) return;
+    failed_ = true;
+    error_ = error_at(bytes_, numbers_.byte(), std::move(message), code);
+    if (header_.format != PlyFormat::text) error_.where.line = none;
+  }
+
+  double next(PlyType type) {
+    const double value = numbers_.next(type);
+    if (numbers_.failed())
+      fail(numbers_.at_end() ? "The file ends before its last element."
+                             : "The file has a word where a number was expected.");
+    return value;
+  }
+
+  /// The length of a list; it cannot be longer than the file.
+  std::int64_t next_length(const PlyProperty& property) {
+    const double length = next(property.count_type);
+    if (!failed_ && !(length >= 0 && length <= static_cast<double>(bytes_.size()) &&
+                      length == std::floor(length)))
+      fail("A list has an impossible length.");
+    return failed_ ? 0 : static_cast<std::int64_t>(length);
+  }
+
+  void pass_over(const PlyProperty& property) {
+    const std::int64_t length = property.is_list ? next_length(property) : 1;
+    for (std::int64_t k = 0; k < length && !failed_; ++k) next(property.type);
+  }
+  void pass_over(const PlyElement& element) {
+    for (const PlyProperty& property : element.properties) pass_over(property);
+    numbers_.end_element();
+  }
+
+  void read_vertices(const PlyElement& element) {
+    const Index at[] = {element.find("x"), element.find("y"), element.find("z")};
+    for (const Index i : at)
+      if (i == none || element.properties[i].is_list)
+        return fail("Vertices need the properties x, y and z.");
+    for (std::int64_t v = 0; v < element.count && !failed_; ++v) {
+      double x[3] = {};
+      for (Index i = 0; i < static_cast<Index>(element.properties.size()); ++i) {
+        const PlyProperty& property = element.properties[i];
+        const auto axis = static_cast<std::size_t>(std::find(at, at + 3, i) - at);
+        if (axis == 3) {
+          pass_over(property);
+          continue;
+        }
+        x[axis] = next(property.type);
+        if (!std::isfinite(x[axis]))
+          fail("Vertex " + std::to_string(v) + " has a coordinate that is not finite.",
+               ErrorCode::non_finite);
+      }
+      numbers_.end_element();
+      if (!failed_) builder_.add_point({x[0], x[1], x[2]});
+    }
+  }
+
+  void read_faces(const PlyElement& element) {
+    Index corners = element.find("vertex_indices");
+    if (corners == none) corners = element.find("vertex_index");
+    if (element.count > 0 && (corners == none || !element.properties[corners].is_list))
+      return fail("Faces need a list of vertex_indices.");
+    Index group = none;
+    for (const char* name : {"material_index", "group", "region"})
+      if (const Index found = element.find(name); found != none) group = found;
+    if (group != none &&
+        (element.properties[group].is_list || element.properties[group].type >= PlyType::float32))
+      group = none;
+    for (std::int64_t f = 0; f < element.count && !failed_; ++f) read_face(element, corners, group);
+  }
+
+  void read_face(const PlyElement& element, Index corners, Index group) {
+    corners_.clear();
+    for (Index i = 0; i < static_cast<Index>(element.properties.size()) && !failed_; ++i) {
+      const PlyProperty& property = element.properties[i];
+      if (i == corners) {
+        read_corners(property);
+      } else if (i == group) {
+        set_group(next(property.type));
+      } else {
+        pass_over(property);
+      }
+    }
+    numbers_.end_element();
+    if (failed_) return;
+    if (corners_.size() < 3) {
+      ++short_faces_;
+    } else {
+      builder_.add_polygon(corners_);
+    }
+  }
+
+  void read_corners(const PlyProperty& property) {
+    const std::int64_t length = next_length(property);
+    for (std::int64_t k = 0; k < length && !failed_; ++k) {
+      const double index = next(property.type);
+      if (failed_) return;
+      if (!(index >= 0 && index < builder_.point_count() && index == std::floor(index)))
+        return fail("A face names a vertex that is not there.");
+      corners_.push_back(static_cast<Index>(index));
+    }
+  }
+
+  void set_group(double number) {
+    if (failed_ || number == group_) return;
+    group_ = number;
+    std::string name;
+    append_number(name, number);
+    builder_.set_group(name, name);
+  }
+
+  std::string_view bytes_;
+  const PlyHeader& header_;
+  PlyNumbers numbers_;
+  SoupBuilder builder_;
+  std::vector<Index> corners_;
+  double group_ = std::nan("");
+  std::int64_t short_faces_ = 0;
+  bool failed_ = false;
+  Error error_;
+};
+
+}  // namespace
+
+Result<SurfaceSoup> read_ply_surface(std::string_view bytes) {
+  const auto header = read_ply_header(bytes);
+  if (!header) return header.error();
+  return PlyReader(bytes, *header).read();
+}
+
+}  // namespace lpq

@@ -1,0 +1,87 @@
+// See surface_format.h.
+#include "io/surface/surface_format.h"
+
+#include <string>
+
+#include "io/surface/msh_surface.h"
+#include "io/surface/obj_surface.h"
+#include "io/surface/off_surface.h"
+#include "io/surface/ply_surface.h"
+#include "io/surface/stl_surface.h"
+#include "io/surface/surface_text.h"
+
+namespace lpq {
+namespace {
+
+std::string_view ending_of(std::string_view file_name) {
+  const std::size_t dot = file_name.rfind('.');
+  return dot == std::string_view::npos ? std::string_view() : file_name.substr(dot + 1);
+}
+
+bool starts_like_obj(std::string_view text) {
+  LineReader lines(text);
+  Words words;
+  while (!lines.at_end()) {
+    words.split(lines.next());
+    if (words.size() == 0) continue;
+    for (const std::string_view keyword : {"v", "vn", "vt", "f", "o", "g", "s", "mtllib", "usemtl"})
+      if (words[0] == keyword) return true;
+    return false;
+  }
+  return false;
+}
+
+bool starts_like_off(std::string_view word) {
+  const std::size_t off = word.substr(0, 8).find("OFF");
+  return off != std::string_view::npos &&
+         word.substr(0, off).find_first_not_of("STCN4n") == std::string_view::npos;
+}
+
+}  // namespace
+
+std::optional<SurfaceFormat> surface_format_by_name(std::string_view short_name) {
+  for (const SurfaceFormatInfo& one : surface_formats)
+    if (same_letters(short_name, one.name)) return one.format;
+  return std::nullopt;
+}
+
+std::optional<SurfaceFormat> surface_format_by_ending(std::string_view file_name) {
+  return surface_format_by_name(ending_of(file_name));
+}
+
+std::optional<SurfaceFormat> surface_format_by_content(std::string_view bytes) {
+  if (is_binary_stl(bytes)) return SurfaceFormat::stl;
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (bytes.substr(0, 3) == byte_order_mark) bytes.remove_prefix(3);
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return std::nullopt;
+  const std::string_view rest = bytes.substr(first);
+  if (rest.substr(0, 4) == "ply\n" || rest.substr(0, 4) == "ply\r") return SurfaceFormat::ply;
+  if (rest.substr(0, 11) == "$MeshFormat") return SurfaceFormat::msh;
+  if (same_letters(rest.substr(0, 5), "solid")) return SurfaceFormat::stl;
+  if (starts_like_off(rest)) return SurfaceFormat::off;
+  return starts_like_obj(rest) ? std::optional(SurfaceFormat::obj) : std::nullopt;
+}
+
+Result<SurfaceSoup> read_surface(std::string_view bytes, SurfaceFormat format) {
+  switch (format) {
+    case SurfaceFormat::obj: return read_obj_surface(bytes);
+    case SurfaceFormat::off: return read_off_surface(bytes);
+    case SurfaceFormat::stl: return read_stl_surface(bytes);
+    case SurfaceFormat::ply: return read_ply_surface(bytes);
+    case SurfaceFormat::msh: return read_msh_surface(bytes);
+  }
+  return Error{};
+}
+
+Result<SurfaceSoup> read_surface_file(std::string_view file_name, std::string_view bytes) {
+  auto format = surface_format_by_ending(file_name);
+  if (!format) format = surface_format_by_content(bytes);
+  if (format) return read_surface(bytes, *format);
+  return Error{
+      ErrorCode::parse_error,
+      "The format of the surface is not known. Name the file " + std::string(surface_endings) + ".",
+      {}};
+}
+
+}  // namespace lpq
