@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "base/disjoint_sets.h"
 #include "surface/corners.h"
 #include "surface/sharp_edges.h"
@@ -57,6 +58,7 @@ void number_faces(const SurfaceMesh& mesh, SurfaceFeatures& features) {
 
 SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> size,
                               const FeatureOptions& options, const FeatureMarks& marks) {
+  LPQ_ASSERT(size.size() == mesh.points.size());
   SurfaceFeatures features;
   features.edges = surface_edges(mesh.triangles, mesh.vertex_count());
   features.kind.assign(features.edges.ends.size(), FeatureKind::smooth);

@@ -41,7 +41,7 @@ struct SurfaceFeatures {
 
 /// `size` is the mesh size at each vertex (#V, > 0). Walls are features always (marks cannot open
 /// them), group borders if asked, sharp edges by angle: chains start where the angle is reached and
-/// go on, straight ahead, down to its part `hysteresis` (as edges in pictures [Canny 1986]); what
+/// go on, straight ahead, down to its part `hysteresis` (as edges in pictures [C86]); what
 /// is too short for the mesh size and touches nothing hard is dropped (but never a plain closed
 /// line of eight edges or more: the rim of a hole). Triangles so flat that their normals are noise
 /// take the normal from across their longest edge. Corners: where other than two features meet,

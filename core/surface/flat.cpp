@@ -41,8 +41,8 @@ class Remover {
 
   FlatRemoval run() {
     // The theory needs no limit; rounding could make a circle of it.
-    constexpr Index patience = 16;
-    Index steps = patience * static_cast<Index>(flat_.size());
+    constexpr std::size_t patience = 16;
+    std::size_t steps = patience * flat_.size();
     while (!flat_.empty() && steps-- > 0) remove(std::prev(flat_.end())->second);
     if (!alive_.empty()) compact();
     for (const Tri& t : triangles_) result_.left += is_flat_at(t);

@@ -16,6 +16,7 @@ namespace {
 // points. Removing it moves the surface by no more than that.
 constexpr double flat_height = 1e-10;
 constexpr double largest_coordinate = 1e100;
+constexpr double least_weld = 1e-15;  // below the last bit of the coordinates: equal points only
 
 class Repair {
  public:
@@ -79,7 +80,8 @@ class Repair {
   }
 
   void weld() {
-    first_ = weld_points(soup_.points, used_, options_.weld * diagonal_);
+    const double weld = options_.weld < least_weld ? 0 : options_.weld;
+    first_ = weld_points(soup_.points, used_, weld * diagonal_);
     for (std::size_t v = 0; v < first_.size(); ++v)
       report_.welded_points += first_[v] != static_cast<Index>(v);
     for (Tri& t : soup_.triangles)
