@@ -12,9 +12,7 @@ class CornerFinder {
   CornerFinder(const SurfaceMesh& mesh, std::span<const double> size, double corner_angle,
                SurfaceFeatures& features)
       : mesh_(mesh), size_(size), straight_(cos_degrees(corner_angle)), features_(features) {
-    std::vector<char> flags(features.kind.size());
-    for (Index i = 0; i < features.edges.count(); ++i) flags[i] = features.is_feature(i);
-    at_ = edges_at_vertices(features.edges, mesh.vertex_count(), flags);
+    at_ = features.edges_at_vertices(mesh.vertex_count());
   }
 
   void run() {

@@ -8,11 +8,10 @@ namespace {
 class Tracer {
  public:
   Tracer(const SurfaceMesh& mesh, const SurfaceFeatures& features)
-      : mesh_(mesh), features_(features), done_(features.kind.size()) {
-    std::vector<char> flags(features.kind.size());
-    for (Index i = 0; i < features.edges.count(); ++i) flags[i] = features.is_feature(i);
-    at_ = edges_at_vertices(features.edges, mesh.vertex_count(), flags);
-  }
+      : mesh_(mesh),
+        features_(features),
+        at_(features.edges_at_vertices(mesh.vertex_count())),
+        done_(features.kind.size()) {}
 
   SurfaceCurves run() {
     for (const bool from_corners : {true, false})

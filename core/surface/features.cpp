@@ -6,6 +6,7 @@
 #include "base/disjoint_sets.h"
 #include "surface/corners.h"
 #include "surface/sharp_edges.h"
+#include "surface/short_chains.h"
 
 namespace lpq {
 namespace {
@@ -55,6 +56,12 @@ void number_faces(const SurfaceMesh& mesh, SurfaceFeatures& features) {
 }
 
 }  // namespace
+
+Csr<Index> SurfaceFeatures::edges_at_vertices(Index vertex_count) const {
+  std::vector<char> flags(kind.size());
+  for (Index i = 0; i < edges.count(); ++i) flags[i] = is_feature(i);
+  return lpq::edges_at_vertices(edges, vertex_count, flags);
+}
 
 SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> size,
                               const FeatureOptions& options, const FeatureMarks& marks) {

@@ -37,6 +37,8 @@ struct SurfaceFeatures {
 
   bool is_feature(Index edge) const { return kind[edge] != FeatureKind::smooth; }
   bool half_edge_is_feature(Index e) const { return is_feature(edges.edge_of[e]); }
+  /// Feature edges at every vertex, ascending. Cost O(#E).
+  Csr<Index> edges_at_vertices(Index vertex_count) const;
 };
 
 /// `size` is the mesh size at each vertex (#V, > 0). Walls are features always (marks cannot open
