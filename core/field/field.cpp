@@ -16,16 +16,6 @@ constexpr double rim = 1e-12;
 // A walk longer than this is a bad hint; the locator's grid is cheaper.
 constexpr int longest_walk = 48;
 
-// Principal square root of a unit complex number, without the cancellation of 1 +- x.
-Vec2 unit_root(Vec2 z) {
-  if (z.x >= 0) {
-    const double c = std::sqrt(0.5 * (1 + z.x));
-    return {c, 0.5 * z.y / c};
-  }
-  const double s = std::sqrt(0.5 * (1 - z.x));
-  return {0.5 * std::abs(z.y) / s, z.y < 0 ? -s : s};
-}
-
 double clamped(double value, double low, double high) {
   return std::min(std::max(value, low), high);
 }
@@ -166,6 +156,16 @@ Vec2 Fields::pull_at(Vec2 p, Index& hint) const {
   const double l1 = dot(cell.lambda_1, d), l2 = dot(cell.lambda_2, d);
   const auto [a, b, c] = background.triangles[hint];
   return (1 - l1 - l2) * pull[a] + l1 * pull[b] + l2 * pull[c];
+}
+
+// Without the cancellation of 1 +- x.
+Vec2 unit_root(Vec2 z) {
+  if (z.x >= 0) {
+    const double c = std::sqrt(0.5 * (1 + z.x));
+    return {c, 0.5 * z.y / c};
+  }
+  const double s = std::sqrt(0.5 * (1 - z.x));
+  return {0.5 * std::abs(z.y) / s, z.y < 0 ? -s : s};
 }
 
 Vec2 axis_of(Vec2 z) {

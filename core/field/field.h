@@ -64,6 +64,8 @@ struct Fields {
   std::vector<Cell> cells_;  // #T background
 };
 
+/// Principal square root of a unit complex number: half its angle.
+Vec2 unit_root(Vec2 z);
 /// Unit (cos theta, sin theta) with theta in [-pi/4, pi/4] of z = e^{4 i theta}: two complex square
 /// roots, no trigonometry. (1, 0) for z = 0.
 Vec2 axis_of(Vec2 z);

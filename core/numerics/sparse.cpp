@@ -6,25 +6,93 @@
 #include "base/check.h"
 
 namespace lpq {
+namespace {
+
+template <class Scalar>
+using Matrix = Eigen::SparseMatrix<Scalar, Eigen::ColMajor, Index>;
+template <class Scalar>
+using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
+template <class Scalar>
+Matrix<Scalar> lower_triangle(Index n, std::span<const Entry<Scalar>> entries) {
+  std::vector<Eigen::Triplet<Scalar, Index>> kept;
+  kept.reserve(entries.size());
+  for (const Entry<Scalar>& t : entries)
+    if (t.row >= t.column) kept.emplace_back(t.row, t.column, t.value);
+  Matrix<Scalar> a(n, n);
+  a.setFromTriplets(kept.begin(), kept.end());
+  return a;
+}
+
+}  // namespace
+
+template <class Scalar>
+struct SparseFactor<Scalar>::Data {
+  Index n = 0;
+  Eigen::SimplicialLDLT<Matrix<Scalar>, Eigen::Lower> ldlt;
+  SparseStatus status = SparseStatus::ok;
+
+  void factorise(const Matrix<Scalar>& a) {
+    if (n == 0) return;
+    ldlt.factorize(a);
+    bool positive = ldlt.info() == Eigen::Success;
+    if (positive) positive = ldlt.vectorD().real().minCoeff() > 0;
+    status = positive ? SparseStatus::ok : SparseStatus::not_positive_definite;
+  }
+};
+
+template <class Scalar>
+SparseFactor<Scalar>::SparseFactor(Index n, std::span<const Entry<Scalar>> entries)
+    : data_(std::make_unique<Data>()) {
+  data_->n = n;
+  const Matrix<Scalar> a = lower_triangle(n, entries);
+  if (n > 0) data_->ldlt.analyzePattern(a);
+  data_->factorise(a);
+}
+template <class Scalar>
+SparseFactor<Scalar>::SparseFactor(SparseFactor&&) noexcept = default;
+template <class Scalar>
+SparseFactor<Scalar>& SparseFactor<Scalar>::operator=(SparseFactor&&) noexcept = default;
+template <class Scalar>
+SparseFactor<Scalar>::~SparseFactor() = default;
+
+template <class Scalar>
+void SparseFactor<Scalar>::refactor(std::span<const Entry<Scalar>> entries) {
+  data_->factorise(lower_triangle(data_->n, entries));
+}
+
+template <class Scalar>
+SparseStatus SparseFactor<Scalar>::status() const {
+  return data_->status;
+}
+
+template <class Scalar>
+void SparseFactor<Scalar>::solve(std::span<const Scalar> b, std::span<Scalar> x) const {
+  const Index n = data_->n;
+  LPQ_ASSERT(data_->status == SparseStatus::ok && b.size() == x.size());
+  LPQ_ASSERT(b.size() == static_cast<std::size_t>(n));
+  if (n == 0) return;
+  // Eigen's own solve() would divide complex numbers by the diagonal, whose last bits depend on the
+  // compiler's support library.
+  const auto& ldlt = data_->ldlt;
+  Vector<Scalar> y = ldlt.permutationP() * Eigen::Map<const Vector<Scalar>>(b.data(), n);
+  ldlt.matrixL().solveInPlace(y);
+  y = ldlt.vectorD().real().asDiagonal().inverse() * y;
+  ldlt.matrixU().solveInPlace(y);
+  Eigen::Map<Vector<Scalar>>(x.data(), n) = ldlt.permutationPinv() * y;
+}
+
+template class SparseFactor<double>;
+template class SparseFactor<std::complex<double>>;
 
 SparseStatus solve_spd(Index n, std::span<const Triplet> triplets, std::span<const double> b,
                        Index columns, std::vector<double>& x) {
   LPQ_ASSERT(b.size() == static_cast<std::size_t>(n) * static_cast<std::size_t>(columns));
   x.assign(b.size(), 0.0);
-  if (n == 0) return SparseStatus::ok;
-  std::vector<Eigen::Triplet<double, Index>> entries;
-  entries.reserve(triplets.size());
-  for (const Triplet& t : triplets)
-    if (t.row >= t.column) entries.emplace_back(t.row, t.column, t.value);
-  Eigen::SparseMatrix<double, Eigen::ColMajor, Index> a(n, n);
-  a.setFromTriplets(entries.begin(), entries.end());
-  Eigen::SimplicialLDLT<decltype(a), Eigen::Lower> factor(a);
-  if (factor.info() != Eigen::Success || factor.vectorD().minCoeff() <= 0)
-    return SparseStatus::not_positive_definite;
-  for (Index c = 0; c < columns; ++c) {
-    const Eigen::Map<const Eigen::VectorXd> rhs(b.data() + static_cast<std::size_t>(c) * n, n);
-    Eigen::Map<Eigen::VectorXd>(x.data() + static_cast<std::size_t>(c) * n, n) = factor.solve(rhs);
-  }
+  const SparseFactor<double> factor(n, triplets);
+  if (factor.status() != SparseStatus::ok) return factor.status();
+  for (std::size_t c = 0; c < static_cast<std::size_t>(columns); ++c)
+    factor.solve(b.subspan(c * n, n), std::span(x).subspan(c * n, n));
   return SparseStatus::ok;
 }
 

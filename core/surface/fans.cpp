@@ -1,0 +1,32 @@
+#include "surface/fans.h"
+
+namespace lpq {
+
+Fans fans_of(std::span<const Index> twins, std::span<const char> barrier) {
+  const auto blocked = [&](Index e) {
+    return twins[e] == none || (!barrier.empty() && barrier[e]);
+  };
+  Fans fans;
+  fans.of_corner.assign(twins.size(), none);
+  fans.corners.values.reserve(twins.size());
+  for (Index e = 0; e < static_cast<Index>(twins.size()); ++e) {
+    if (fans.of_corner[e] != none) continue;
+    Index first = e;
+    while (!blocked(first)) {
+      first = next_in_triangle(twins[first]);
+      if (first == e) break;
+    }
+    fans.closed.push_back(!blocked(first));
+    for (Index corner = first;;) {
+      fans.of_corner[corner] = fans.count();
+      fans.corners.values.push_back(corner);
+      const Index left = prev_in_triangle(corner);
+      if (blocked(left) || twins[left] == first) break;
+      corner = twins[left];
+    }
+    fans.corners.end_row();
+  }
+  return fans;
+}
+
+}  // namespace lpq
