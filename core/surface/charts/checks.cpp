@@ -1,0 +1,146 @@
+#include "surface/charts/checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "domain/box_tree.h"
+#include "geometry/predicates_inline.h"
+#include "geometry/segment.h"
+#include "surface/frames.h"
+
+namespace lpq {
+namespace {
+
+constexpr double tail = 0.005;         // of the area, left out at either end of the scales
+constexpr double judged_share = 0.95;  // of the area, whose anisotropy counts
+// Triangles below this share of the mean area say nothing about the map.
+constexpr double least_area_share = 1e-12;
+
+struct Weighted {
+  double value, area;
+};
+
+// The value below which `share` of the area lies.
+double quantile(std::vector<Weighted>& values, double share) {
+  std::sort(values.begin(), values.end(), [](const Weighted& a, const Weighted& b) {
+    return a.value != b.value ? a.value < b.value : a.area < b.area;
+  });
+  double total = 0, sum = 0;
+  for (const Weighted& w : values) total += w.area;
+  for (const Weighted& w : values)
+    if ((sum += w.area) >= share * total) return w.value;
+  return values.empty() ? 1 : values.back().value;
+}
+
+struct Stretch {
+  double scale = 1, anisotropy = 1;
+};
+
+// Singular values of the map from the triangle's plane, by the parts of the Jacobian that turn
+// with and against it.
+Stretch stretch_of(const TriangleLayout& layout, const Vec2 (&p)[3]) {
+  const Vec2 ab = p[1] - p[0], ac = p[2] - p[0];
+  const Vec2 q = -layout.side[2];
+  const double inverse = 1 / (layout.side[0].x * q.y);
+  const Vec2 jx = (inverse * q.y) * ab;
+  const Vec2 jy = inverse * (layout.side[0].x * ac - q.x * ab);
+  const double with = length(Vec2{jx.x + jy.y, jx.y - jy.x});
+  const double against = length(Vec2{jx.x - jy.y, jx.y + jy.x});
+  const double small = std::max(with - against, 1e-300);
+  return {std::sqrt(std::max(cross(jx, jy), 0.0)), (with + against) / small};
+}
+
+bool share_a_vertex(const Part& part, Index e, Index f) {
+  return part.origin(e) == part.origin(f) || part.target(e) == part.origin(f) ||
+         part.origin(e) == part.target(f) || part.target(e) == part.target(f);
+}
+
+// Border edges from one vertex may meet there, but not lie on each other.
+bool meet_wrongly(const Part& part, std::span<const Vec2> uv, Index e, Index f) {
+  const Vec2 a = uv[part.origin(e)], b = uv[part.target(e)];
+  const Vec2 c = uv[part.origin(f)], d = uv[part.target(f)];
+  const Meeting meeting = meet(a, b, c, d);
+  if (share_a_vertex(part, e, f))
+    return meeting == Meeting::overlapping || meeting == Meeting::crossing;
+  return meeting != Meeting::apart;
+}
+
+bool borders_meet(const Part& part, std::span<const Vec2> uv) {
+  const auto& border = part.loops.values;
+  std::vector<Box> boxes;
+  boxes.reserve(border.size());
+  for (const Index e : border) {
+    if (uv[part.origin(e)] == uv[part.target(e)]) return true;
+    boxes.push_back(box_of(uv[part.origin(e)], uv[part.target(e)]));
+  }
+  const BoxTree tree(boxes);
+  bool found = false;
+  for (Index i = 0; i < static_cast<Index>(border.size()) && !found; ++i)
+    tree.walk([&](Index, const Box& box) { return !found && overlap(boxes[i], box); },
+              [&](Index j) {
+                if (j > i && meet_wrongly(part, uv, border[i], border[j])) found = true;
+              });
+  return found;
+}
+
+Index count_flipped(const Part& part, std::span<const Vec2> uv) {
+  Index flipped = 0;
+  for (const auto& [a, b, c] : part.corners)
+    flipped += !(is_finite(uv[a]) && is_finite(uv[b]) && is_finite(uv[c])) ||
+               orient2d_inline(uv[a], uv[b], uv[c]) <= 0;
+  return flipped;
+}
+
+}  // namespace
+
+MapCheck check_map(const SurfaceMesh& mesh, const Part& part, std::span<const Vec2> uv) {
+  MapCheck check;
+  check.flipped = count_flipped(part, uv);
+  if (check.flipped > 0) return check;
+  std::vector<Weighted> scales, anisotropies;
+  double total = 0, sum = 0;
+  std::vector<TriangleLayout> layouts;
+  for (const Index t : part.triangles) {
+    layouts.push_back(layout_of(mesh, t));
+    total += layouts.back().area;
+  }
+  const double least = least_area_share * total / static_cast<double>(layouts.size());
+  for (Index t = 0; t < part.triangle_count(); ++t) {
+    const double area = layouts[t].area;
+    if (!(area > least)) continue;
+    const auto [a, b, c] = part.corners[t];
+    const Stretch stretch = stretch_of(layouts[t], {uv[a], uv[b], uv[c]});
+    scales.push_back({stretch.scale, area});
+    anisotropies.push_back({stretch.anisotropy, area});
+    sum += area * std::min(stretch.anisotropy, 1e3);
+  }
+  if (total > 0) check.mean_anisotropy = sum / total;
+  check.anisotropy = quantile(anisotropies, judged_share);
+  const double high = quantile(scales, 1 - tail), low = quantile(scales, tail);
+  check.scale_range = high / std::max(low, 1e-300);
+  check.crossing = borders_meet(part, uv);
+  return check;
+}
+
+std::vector<double> scales_of(const SurfaceMesh& mesh, const Part& part, std::span<const Vec2> uv) {
+  std::vector<double> scales;
+  double total = 0, plane = 0;
+  std::vector<TriangleLayout> layouts;
+  for (const Index t : part.triangles) {
+    layouts.push_back(layout_of(mesh, t));
+    total += layouts.back().area;
+  }
+  const double least = least_area_share * total / static_cast<double>(layouts.size());
+  for (Index t = 0; t < part.triangle_count(); ++t) {
+    const auto [a, b, c] = part.corners[t];
+    const double area = 0.5 * cross(uv[b] - uv[a], uv[c] - uv[a]);
+    plane += area;
+    scales.push_back(layouts[t].area > least ? std::sqrt(area / layouts[t].area) : 0);
+  }
+  for (double& scale : scales)
+    if (!(scale > 0)) scale = std::sqrt(plane / total);
+  return scales;
+}
+
+}  // namespace lpq

@@ -1,0 +1,35 @@
+// What a map must be to mesh in its plane: no triangle turned over, no border across another, sizes
+// that differ by a bounded factor, and nearly the same in all directions.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/vec.h"
+#include "surface/charts/part.h"
+
+namespace lpq {
+
+struct MapLimits {
+  double scale_range = 6;    // largest over smallest scale, half a per cent of the area left out
+  double anisotropy = 1.35;  // sigma_1 / sigma_2 that 95 % of the area stay below
+};
+
+struct MapCheck {
+  Index flipped = 0;      // triangles not turning left, by exact orientation
+  bool crossing = false;  // borders meet, exactly; not looked at if triangles are flipped
+  double scale_range = 1, anisotropy = 1;
+  double mean_anisotropy = 1;
+  bool injective() const { return flipped == 0 && !crossing; }
+  bool within(const MapLimits& limits) const {
+    return scale_range <= limits.scale_range && anisotropy <= limits.anisotropy;
+  }
+};
+
+MapCheck check_map(const SurfaceMesh& mesh, const Part& part, std::span<const Vec2> uv);
+
+/// sqrt(area in the plane / area in space) of each triangle; that of the largest neighbours for
+/// triangles too flat to tell.
+std::vector<double> scales_of(const SurfaceMesh& mesh, const Part& part, std::span<const Vec2> uv);
+
+}  // namespace lpq

@@ -1,0 +1,37 @@
+// A triangulation known by its edge lengths alone. Flips to Delaunay keep the vertices and the
+// surface but make every weight of the cotangent Laplacian positive (up to triangles that meet
+// themselves) [Bobenko, Springborn 2007; Fisher et al. 2007].
+#pragma once
+
+#include <vector>
+
+#include "mesh/surface_mesh.h"
+#include "numerics/sparse.h"
+#include "surface/charts/part.h"
+
+namespace lpq {
+
+struct Intrinsic {
+  Index vertices = 0;
+  std::vector<Tri> corners;
+  std::vector<Index> twins;
+  std::vector<double> length;  // of half-edges, > 0, triangle inequality strict
+};
+
+/// The part as it is, holes (all loops but the first) filled by fans round a vertex at their mean;
+/// these vertices follow the part's own. All lengths grow a little where some triangle has no
+/// height [Sharp, Crane 2020].
+Intrinsic intrinsic_of(const SurfaceMesh& mesh, const Part& part);
+
+/// Edge flips until no two angles across an edge exceed half a turn together.
+void flip_to_delaunay(Intrinsic& surface);
+
+/// Twice the tangent of angle k has the same sign as this: 4 area of the triangle, > 0.
+double four_areas(const double (&length)[3]);
+
+/// Weight (cot alpha) / 2 of each half-edge, alpha the angle across it: #half-edges.
+std::vector<double> half_cotangents(const Intrinsic& surface);
+/// Sums of the angles at the vertices: #V.
+std::vector<double> angle_sums(const Intrinsic& surface);
+
+}  // namespace lpq
