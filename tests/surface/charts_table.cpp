@@ -27,10 +27,10 @@ void add(Row& sum, const Row& row) {
   sum.area += 1, sum.anisotropy += row.anisotropy / row.area;
   for (int i = 0; i < 5; ++i) sum.methods[i] += row.methods[i];
   sum.range = std::max(sum.range, row.range), sum.q95 = std::max(sum.q95, row.q95);
-  sum.counts.maps += row.counts.maps, sum.counts.loop_cuts += row.counts.loop_cuts;
+  sum.counts.maps += row.counts.maps, sum.counts.opened += row.counts.opened;
   sum.counts.topology += row.counts.topology, sum.counts.flips += row.counts.flips;
   sum.counts.crossings += row.counts.crossings, sum.counts.distortions += row.counts.distortions;
-  sum.counts.merges += row.counts.merges, sum.counts.rejected += row.counts.rejected;
+  sum.counts.merged += row.counts.merged, sum.counts.rejected += row.counts.rejected;
 }
 
 Row measure(const SurfaceMesh& mesh) {
@@ -63,7 +63,7 @@ void print(const char* name, const Row& row) {
       "%.3f | %.2f | %.2f | %.2f |\n",
       name, row.triangles, row.faces, row.charts, row.small, row.methods[0], row.methods[1],
       row.methods[2], row.methods[3], row.methods[4], c.topology, c.flips, c.crossings,
-      c.distortions, c.loop_cuts, c.merges, c.maps, row.anisotropy / row.area, row.q95, row.range,
+      c.distortions, c.opened, c.merged, c.maps, row.anisotropy / row.area, row.q95, row.range,
       1e5 * row.seconds / row.triangles);
   std::fflush(stdout);
 }

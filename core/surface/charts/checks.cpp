@@ -84,6 +84,8 @@ bool borders_meet(const Part& part, std::span<const Vec2> uv) {
   return found;
 }
 
+}  // namespace
+
 Index count_flipped(const Part& part, std::span<const Vec2> uv) {
   Index flipped = 0;
   for (const auto& [a, b, c] : part.corners)
@@ -91,8 +93,6 @@ Index count_flipped(const Part& part, std::span<const Vec2> uv) {
                orient2d_inline(uv[a], uv[b], uv[c]) <= 0;
   return flipped;
 }
-
-}  // namespace
 
 MapCheck check_map(const SurfaceMesh& mesh, const Part& part, std::span<const Vec2> uv) {
   MapCheck check;

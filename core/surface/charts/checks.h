@@ -28,6 +28,9 @@ struct MapCheck {
 
 MapCheck check_map(const SurfaceMesh& mesh, const Part& part, std::span<const Vec2> uv);
 
+/// Triangles that do not turn left, exactly; those with a corner that is no number count as well.
+Index count_flipped(const Part& part, std::span<const Vec2> uv);
+
 /// sqrt(area in the plane / area in space) of each triangle; that of the largest neighbours for
 /// triangles too flat to tell.
 std::vector<double> scales_of(const SurfaceMesh& mesh, const Part& part, std::span<const Vec2> uv);
