@@ -25,7 +25,7 @@ class SurfaceBuilder {
   lpq::SurfaceMesh build(std::vector<lpq::Vec3> points, const std::vector<lpq::Tri>& triangles,
                          const std::vector<lpq::Index>& groups = {}) {
     mesh_ = {};
-    weld(points);
+    weld(points, triangles);
     std::set<std::array<lpq::Index, 3>> seen;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       lpq::Tri tri{of_[triangles[t][0]], of_[triangles[t][1]], of_[triangles[t][2]]};
@@ -44,14 +44,19 @@ class SurfaceBuilder {
  private:
   using Key = std::pair<lpq::Index, lpq::Index>;
 
-  void weld(const std::vector<lpq::Vec3>& points) {
+  void weld(const std::vector<lpq::Vec3>& points, const std::vector<lpq::Tri>& triangles) {
+    std::vector<char> used(points.size(), 0);
+    for (const lpq::Tri& tri : triangles)
+      for (const lpq::Index v : tri) used[v] = 1;
     std::map<std::array<double, 3>, lpq::Index> known;
-    of_.clear();
-    for (const lpq::Vec3 p : points) {
+    of_.assign(points.size(), lpq::none);
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      if (!used[v]) continue;
+      const lpq::Vec3 p = points[v];
       const auto [at, fresh] =
           known.insert({{p.x + 0.0, p.y + 0.0, p.z + 0.0}, mesh_.vertex_count()});
       if (fresh) mesh_.points.push_back(p);
-      of_.push_back(at->second);
+      of_[v] = at->second;
     }
   }
   std::map<Key, std::vector<lpq::Index>> edges() const {

@@ -108,15 +108,29 @@ inline lpq::SurfaceMesh sphere(int n) {
   return cube_surface(n, [](lpq::Vec3 p) { return (1 / length(p)) * p; });
 }
 
-/// The cap of the unit sphere down to polar angle `opening`.
-inline lpq::SurfaceMesh sphere_cap(int n, double opening) {
-  // A disc of squares, pushed out to round, so that no triangle is a needle.
-  return grid_surface(n, n, [=](double u, double v) {
-    const double x = 2 * u - 1, y = 2 * v - 1, square = std::max(std::abs(x), std::abs(y));
-    const double round = std::sqrt(x * x + y * y);
-    const double angle = opening * square, scale = round > 0 ? std::sin(angle) / round : 0;
-    return lpq::Vec3{scale * x, scale * y, std::cos(angle)};
-  });
+/// The cap of the unit sphere down to polar angle `opening`: m rings round the pole, 6 j points in
+/// ring j.
+inline lpq::SurfaceMesh sphere_cap(int m, double opening) {
+  std::vector<lpq::Vec3> points{{0, 0, 1}};
+  std::vector<lpq::Tri> triangles;
+  const auto at = [](int j, int i) {
+    return static_cast<lpq::Index>(j == 0 ? 0 : 3 * j * (j - 1) + 1 + i % (6 * j));
+  };
+  for (int j = 1; j <= m; ++j) {
+    const double polar = opening * j / m;
+    for (int i = 0; i < 6 * j; ++i) {
+      const double a = turn * i / (6 * j);
+      points.push_back(
+          {std::sin(polar) * std::cos(a), std::sin(polar) * std::sin(a), std::cos(polar)});
+    }
+    for (int side = 0; side < 6; ++side)
+      for (int i = 0; i < j; ++i) {
+        const int out = side * j + i, in = side * (j - 1) + i;
+        triangles.push_back({at(j - 1, in), at(j, out), at(j, out + 1)});
+        if (i + 1 < j) triangles.push_back({at(j - 1, in), at(j, out + 1), at(j - 1, in + 1)});
+      }
+  }
+  return SurfaceBuilder().build(std::move(points), triangles);
 }
 
 inline double surface_area(const lpq::SurfaceMesh& mesh) {

@@ -55,6 +55,7 @@ bool BoundaryFirst::factorise() {
   for (Index e = 0; e < static_cast<Index>(weights_.size()); ++e) {
     const Index a = row_[corners_of(disk_.corners)[e]];
     const Index b = row_[corners_of(disk_.corners)[next_in_triangle(e)]];
+    if (a == b) continue;  // on the border, or an edge from a vertex to itself
     if (a != none) entries.push_back({a, a, weights_[e]});
     if (b != none) entries.push_back({b, b, weights_[e]});
     if (a != none && b != none) entries.push_back({std::max(a, b), std::min(a, b), -weights_[e]});

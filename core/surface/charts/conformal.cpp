@@ -25,6 +25,7 @@ std::vector<ComplexTriplet> conformal_energy(const Intrinsic& surface) {
     const Index a = corners_of(surface.corners)[e];
     const Index b = corners_of(surface.corners)[next_in_triangle(e)];
     const double w = weights[e];
+    if (a == b) continue;  // an edge from a vertex to itself
     entries.push_back({a, a, w});
     entries.push_back({b, b, w});
     const double area = surface.twins[e] == none ? 0.5 : 0.0;

@@ -89,26 +89,42 @@ struct Flipper {
                         cd + bc > db && cd + db > bc;
     return convex ? cd : 0;
   }
-  bool flip(Index e) {
-    const Index f = s.twins[e];
-    if (!(cotangent(e) + cotangent(f) < -least_gain)) return false;
+  // As flip_edge in mesh/tri_mesh.h, for triangles that may also meet each other, or themselves,
+  // at their other sides.
+  void turn(Index e, Index f, double diagonal) {
     const Index en = next_in_triangle(e), ep = prev_in_triangle(e);
     const Index fn = next_in_triangle(f), fp = prev_in_triangle(f);
-    // A vertex with these two triangles alone, or a triangle that meets itself.
-    if (triangle_of(e) == triangle_of(f)) return false;
-    for (const Index side : {en, ep, fn, fp})
-      if (s.twins[side] != none && (triangle_of(s.twins[side]) == triangle_of(e) ||
-                                    triangle_of(s.twins[side]) == triangle_of(f)))
-        return false;
-    const double cd = other_diagonal(e, f);
-    if (!(cd > 0)) return false;
+    Index* corner = corners_of(s.corners);
+    const Index b = corner[f], c = corner[ep], d = corner[fp];
+    const auto moved = [=](Index h) { return h == en ? fn : h == fn ? e : h == fp ? f : h; };
+    const Index before[4] = {en, ep, fn, fp};
+    Index beyond[4];
+    for (int i = 0; i < 4; ++i) beyond[i] = s.twins[before[i]];
     const double bc = s.length[en], ad = s.length[fn], db = s.length[fp];
-    flip_edge(corners_of(s.corners), s.twins.data(), e);
+    for (int i = 0; i < 4; ++i) {
+      const Index here = moved(before[i]);
+      const Index there = beyond[i] == none ? none : moved(beyond[i]);
+      s.twins[here] = there;
+      if (there != none) s.twins[there] = here;
+    }
+    s.twins[en] = fp;
+    s.twins[fp] = en;
+    corner[en] = corner[f] = d;
+    corner[fn] = b;
+    corner[fp] = c;
     s.length[e] = ad;
     s.length[f] = db;
     s.length[fn] = bc;
-    s.length[en] = s.length[fp] = cd;
-    for (const Index side : {e, ep, f, fn}) push(side);
+    s.length[en] = s.length[fp] = diagonal;
+  }
+  bool flip(Index e) {
+    const Index f = s.twins[e];
+    if (triangle_of(e) == triangle_of(f)) return false;
+    if (!(cotangent(e) + cotangent(f) < -least_gain)) return false;
+    const double diagonal = other_diagonal(e, f);
+    if (!(diagonal > 0)) return false;
+    turn(e, f, diagonal);
+    for (const Index side : {e, prev_in_triangle(e), f, next_in_triangle(f)}) push(side);
     return true;
   }
 };

@@ -1,6 +1,6 @@
 // A triangulation known by its edge lengths alone. Flips to Delaunay keep the vertices and the
-// surface but make every weight of the cotangent Laplacian positive (up to triangles that meet
-// themselves) [Bobenko, Springborn 2007; Fisher et al. 2007].
+// surface but make no weight of the cotangent Laplacian negative [Bobenko, Springborn 2007; Fisher
+// et al. 2007].
 #pragma once
 
 #include <vector>
@@ -23,7 +23,8 @@ struct Intrinsic {
 /// height [Sharp, Crane 2020].
 Intrinsic intrinsic_of(const SurfaceMesh& mesh, const Part& part);
 
-/// Edge flips until no two angles across an edge exceed half a turn together.
+/// Edge flips until no two angles across an edge exceed half a turn together. Triangles may meet
+/// themselves then, and edges may run from a vertex to itself.
 void flip_to_delaunay(Intrinsic& surface);
 
 /// Twice the tangent of angle k has the same sign as this: 4 area of the triangle, > 0.
