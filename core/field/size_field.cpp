@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <queue>
 
-#include "base/csr.h"
+#include "mesh/neighbours.h"
 #include "numerics/elementary.h"
 #include "numerics/sparse.h"
 
@@ -73,39 +71,8 @@ void limit_by_walls(const BoundaryMesh& boundary, std::span<double> h) {
 }
 
 void limit_growth(const TriMesh& mesh, double growth, std::span<double> h) {
-  Csr<Index> neighbours;
-  neighbours.offsets.assign(mesh.points.size() + 1, 0);
-  const Index half_edges = 3 * mesh.triangle_count();
-  for (Index e = 0; e < half_edges; ++e) {
-    ++neighbours.offsets[mesh.origin(e) + 1];
-    ++neighbours.offsets[mesh.target(e) + 1];
-  }
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    neighbours.offsets[v + 1] += neighbours.offsets[v];
-  neighbours.values.resize(2 * static_cast<std::size_t>(half_edges));
-  std::vector<Index> fill(neighbours.offsets.begin(), neighbours.offsets.end() - 1);
-  for (Index e = 0; e < half_edges; ++e) {
-    neighbours.values[fill[mesh.origin(e)]++] = mesh.target(e);
-    neighbours.values[fill[mesh.target(e)]++] = mesh.origin(e);
-  }
-  using Entry = std::pair<double, Index>;
-  std::vector<Entry> finite;
-  for (std::size_t v = 0; v < h.size(); ++v)
-    if (std::isfinite(h[v])) finite.push_back({h[v], static_cast<Index>(v)});
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue(std::greater<>{},
-                                                                       std::move(finite));
-  while (!queue.empty()) {
-    const auto [size, v] = queue.top();
-    queue.pop();
-    if (size > h[v]) continue;
-    for (const Index w : neighbours.row(v)) {
-      const double limit = size + growth * distance(mesh.points[v], mesh.points[w]);
-      if (limit < h[w]) {
-        h[w] = limit;
-        queue.push({limit, w});
-      }
-    }
-  }
+  limit_growth(vertex_neighbours(mesh.triangles, mesh.vertex_count()), h,
+               [&](Index v, Index w) { return growth * distance(mesh.points[v], mesh.points[w]); });
 }
 
 }  // namespace lpq
