@@ -1,6 +1,7 @@
 #include "surface/charts/conformal.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 

@@ -29,6 +29,8 @@ class Attempt {
   Attempt(const SurfaceMesh& mesh, const Part& part, const MapLimits& limits)
       : mesh_(mesh), part_(part), limits_(limits) {}
   PartMap run(MapMethod last);
+  /// One triangle is laid down as it is.
+  PartMap lay_down();
 
  private:
   bool solve(MapMethod method, const Intrinsic& disk);
@@ -75,6 +77,15 @@ bool Attempt::solve(MapMethod method, const Intrinsic& disk) {
   return false;
 }
 
+PartMap Attempt::lay_down() {
+  const TriangleLayout layout = layout_of(mesh_, part_.triangles[0]);
+  map_.uv.resize(3);
+  map_.uv[part_.corners[0][1]] = layout.side[0];
+  map_.uv[part_.corners[0][2]] = -layout.side[2];
+  judge(MapMethod::bff);
+  return std::move(map_);
+}
+
 PartMap Attempt::run(MapMethod last) {
   Intrinsic disk = intrinsic_of(mesh_, part_);
   flip_to_delaunay(disk);
@@ -105,6 +116,7 @@ PartMap map_part(const SurfaceMesh& mesh, const Part& part, const MapLimits& lim
   PartMap map;
   solved = false;
   if (part.loops.rows() == 0 || part.genus() > 0) return map;
+  if (part.triangle_count() == 1) return Attempt(mesh, part, limits).lay_down();
   map.verdict = Verdict::distorted;
   if (too_domed(mesh, part, limits.scale_range)) return map;
   solved = true;

@@ -62,7 +62,7 @@ struct Splitter::Search {
   }
 };
 
-Splitter::Splitter(const SurfaceMesh& mesh) : mesh_(mesh) {
+Splitter::Splitter(const SurfaceMesh& mesh) {
   for (Index t = 0; t < mesh.triangle_count(); ++t) {
     const auto [a, b, c] = mesh.triangles[t];
     centroid_.push_back((1.0 / 3) * (mesh.points[a] + mesh.points[b] + mesh.points[c]));

@@ -29,7 +29,6 @@ class Splitter {
   std::vector<Index> centres(const Part& part, double bending, const std::vector<Index>& owner,
                              std::size_t pieces) const;
 
-  const SurfaceMesh& mesh_;
   std::vector<Vec3> centroid_, normal_;  // #T of the surface
 };
 
