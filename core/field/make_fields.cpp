@@ -18,7 +18,8 @@
 namespace lpq {
 namespace {
 
-// A size function may vary anywhere: it is looked at on leaves of at most this share of the domain.
+// A size function may vary anywhere: unless the caller knows better, it is looked at on leaves of
+// at most this share of the domain.
 constexpr double function_resolution = 1.0 / 48;
 
 // From this distance to the walls on, in units of h, the background grows further, as the square
@@ -160,8 +161,9 @@ Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& opt
   if (auto error = judge(options)) return std::move(*error);
   std::vector<Source> sources;
   for (const SizeSample& s : options.sizes) sources.push_back({s.position, s.h});
-  BackgroundBuilder builder(boundary, sources,
-                            options.size_function ? function_resolution * extent_of(boundary) : 0);
+  const double detail = options.function_detail > 0 ? options.function_detail
+                                                    : function_resolution * extent_of(boundary);
+  BackgroundBuilder builder(boundary, sources, options.size_function ? detail : 0);
   const Result<TriMesh> coarse = builder.coarse();
   if (!coarse) return coarse.error();
   std::vector<double> coarse_h = asked_sizes(*coarse, boundary, options);

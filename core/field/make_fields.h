@@ -16,9 +16,10 @@ struct SizeSample {
 };
 
 struct FieldOptions {
-  double size = 0;                             // constant target, 0 = from the boundary spacing
-  std::vector<SizeSample> sizes;               // the caller's values at points (nearest-graded)
-  std::function<double(Vec2)> size_function;   // the caller's callable, unit frame; wins over both
+  double size = 0;                            // constant target, 0 = from the boundary spacing
+  std::vector<SizeSample> sizes;              // the caller's values at points (nearest-graded)
+  std::function<double(Vec2)> size_function;  // the caller's callable, unit frame; wins over both
+  double function_detail = 0;  // length below which size_function hardly varies; 0 = by default
   std::vector<DomainInput::Guide> guides;      // the caller's strokes, unit frame
   std::function<double(Vec2)> angle_function;  // the caller's theta(x); replaces the Laplace solve
   double growth = 0.3;                         // largest slope of h; > 0

@@ -8,6 +8,7 @@
 #include "delaunay/delaunay.h"
 #include "lpcvt/seeds.h"
 #include "pipeline/finish.h"
+#include "pipeline/shape_options.h"
 #include "recombine/recombine.h"
 #include "recombine/subdivide.h"
 
@@ -21,12 +22,9 @@ constexpr int isotropic_iterations = 80;
 // Final smoothing when the caller leaves the choice to us, and its iterations per step.
 constexpr int paper_smoothing = 100, best_smoothing = 300, long_smoothing = 600;
 constexpr int smoothing_block = 100;
-constexpr int steps_before_patches = 20;
 constexpr double fine_rounding = 0.003;  // of the final smoothing, after a block of the coarse one
 constexpr double least_gain = 2e-4;      // of mean eta, that another block is worth
 constexpr int seeds_per_step = 50;
-// Shares of Options::size_weight: of an edge's length (per edge and side), of a quad's area.
-constexpr double edge_share = 0.5, area_share = 2;
 
 // Adds the CPU time of a scope to the report, under one name per stage.
 class StageTimer {
@@ -69,30 +67,6 @@ Error describe(const std::vector<Violation>& violations) {
   error.where.x = first.point.x;
   error.where.y = first.point.y;
   return error;
-}
-
-// One measure of shape for patches and final smoothing. Length and area terms together: lengths
-// alone keep to the size at the expense of right angles, areas alone let quads become oblong.
-SmoothOptions shape_smoothing(const Options& options) {
-  return {.size_weight = edge_share * options.size_weight,
-          .area_weight = area_share * options.size_weight};
-}
-
-PatchOptions patch_options(const Options& options) {
-  const SmoothOptions smoothing = shape_smoothing(options);
-  PatchOptions patches;
-  patches.seed = options.seed;
-  patches.energy = {.size_weight = smoothing.size_weight,
-                    .area_weight = smoothing.area_weight,
-                    .rounding = coarse_rounding,
-                    .floor_deviation = 1 - smoothing.eta_floor};
-  if (options.effort == Effort::high) {
-    patches.credit = 7;
-    patches.plans = 10;
-    patches.passes = {{20},           {60}, {200}, {200, 0.8, 80}, {200, 0.4, 80},
-                      {200, 0.2, 80}, {60}, {200}, {600}};
-  }
-  return patches;
 }
 
 }  // namespace
@@ -293,13 +267,13 @@ int Mesher::smoothing() const {
 void Mesher::clean() {
   const StageTimer timer(report_, "clean");
   CleanupOptions cleanup;
-  // The paper's chain ends in a smoothing of positions only. Deviation: of eta, not Laplacian
-  // (mean eta 0.93 against 0.89 on the benchmark domains).
-  cleanup.topology = for_shape() || attempt_ > 0;
-  cleanup.smoothing_iterations = for_shape() ? steps_before_patches : smoothing();
   if (for_shape()) {
-    cleanup.size_weight = edge_share * options_.size_weight;
-    cleanup.rounding = coarse_rounding;
+    cleanup = cleanup_before_patches(options_);
+  } else {
+    // The paper's chain ends in a smoothing of positions only. Deviation: of eta, not Laplacian
+    // (mean eta 0.93 against 0.89 on the benchmark domains).
+    cleanup.topology = attempt_ > 0;
+    cleanup.smoothing_iterations = smoothing();
   }
   CleanupResult result = clean_up(std::move(quads_), *fields_, cleanup);
   quads_ = std::move(result.mesh);

@@ -57,8 +57,9 @@ struct Options {
 struct UserFields {
   using SizeAt = DomainInput::SizeAt;
   using Guide = DomainInput::Guide;
-  std::vector<SizeAt> sizes;          // target size at points
-  std::function<double(Vec2)> size;   // target size anywhere; wins over `sizes` and Options::size
+  std::vector<SizeAt> sizes;         // target size at points
+  std::function<double(Vec2)> size;  // target size anywhere; wins over `sizes` and Options::size
+  double detail = 0;  // length below which `size` hardly varies; 0 = 1/48 of the domain's extent
   std::vector<Guide> guides;          // strokes whose direction the crosses follow nearby
   std::function<double(Vec2)> angle;  // direction of the crosses, radians; wins over all guides
   std::vector<Vec2> seeds;  // interior points to start L_p from; those not inside are left out

@@ -94,6 +94,7 @@ FieldOptions field_options(const UnitFrame& frame, const Options& options, const
     fields.size_function = [frame, size_at = user.size](Vec2 p) {
       return frame.length_to_frame(size_at(frame.to_world(p)));
     };
+  fields.function_detail = frame.length_to_frame(user.detail);
   if (user.angle)
     fields.angle_function = [frame, angle_at = user.angle](Vec2 p) {
       return angle_at(frame.to_world(p));

@@ -1,0 +1,44 @@
+// See shape_options.h.
+#include "pipeline/shape_options.h"
+
+namespace lpq {
+namespace {
+
+constexpr int steps_before_patches = 20;
+// Shares of Options::size_weight: of an edge's length (per edge and side), of a quad's area.
+constexpr double edge_share = 0.5, area_share = 2;
+
+}  // namespace
+
+SmoothOptions shape_smoothing(const Options& options) {
+  return {.size_weight = edge_share * options.size_weight,
+          .area_weight = area_share * options.size_weight};
+}
+
+PatchOptions patch_options(const Options& options) {
+  const SmoothOptions smoothing = shape_smoothing(options);
+  PatchOptions patches;
+  patches.seed = options.seed;
+  patches.energy = {.size_weight = smoothing.size_weight,
+                    .area_weight = smoothing.area_weight,
+                    .rounding = coarse_rounding,
+                    .floor_deviation = 1 - smoothing.eta_floor};
+  if (options.effort == Effort::high) {
+    patches.credit = 7;
+    patches.plans = 10;
+    patches.passes = {{20},           {60}, {200}, {200, 0.8, 80}, {200, 0.4, 80},
+                      {200, 0.2, 80}, {60}, {200}, {600}};
+  }
+  return patches;
+}
+
+CleanupOptions cleanup_before_patches(const Options& options) {
+  CleanupOptions cleanup;
+  cleanup.topology = true;
+  cleanup.smoothing_iterations = steps_before_patches;
+  cleanup.size_weight = edge_share * options.size_weight;
+  cleanup.rounding = coarse_rounding;
+  return cleanup;
+}
+
+}  // namespace lpq

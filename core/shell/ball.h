@@ -1,0 +1,27 @@
+// The triangles of a face near one of them.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/surface_mesh.h"
+
+namespace lpq {
+
+/// Finds balls again and again on one surface; keeps tables of its size between calls.
+class BallFinder {
+ public:
+  BallFinder(const SurfaceMesh& mesh, std::span<const char> barrier);
+
+  /// Triangles whose centroid is nearer than `radius` to that of `centre` along the dual graph,
+  /// no barrier crossed; ascending.
+  std::vector<Index> ball(Index centre, double radius);
+
+ private:
+  const SurfaceMesh& mesh_;
+  std::span<const char> barrier_;  // #half-edges
+  std::vector<Vec3> centroid_;     // #T
+  std::vector<double> distance_;   // #T  infinite outside calls
+};
+
+}  // namespace lpq

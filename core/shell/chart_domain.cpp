@@ -1,0 +1,116 @@
+// See chart_domain.h.
+#include "shell/chart_domain.h"
+
+#include <algorithm>
+
+namespace lpq {
+namespace {
+
+class DomainMaker {
+ public:
+  DomainMaker(const SurfaceMesh& mesh, const Chart& chart, const CurveNodes& nodes)
+      : mesh_(mesh), chart_(chart), nodes_(nodes) {}
+
+  ChartDomain run(const SurfaceFeatures& features, const SurfaceCurves& curves,
+                  const Atlas& atlas) {
+    auto& loops = domain_.input.regions.emplace_back().loops;
+    for (Index b = 0; b < chart_.borders.rows(); ++b) {
+      Loop loop;
+      for (const Index e : chart_.borders.row(b)) append(on_plane(e), loop);
+      loops.push_back(std::move(loop));
+    }
+    add_inner_features(features, curves, atlas);
+    std::sort(domain_.places.begin(), domain_.places.end(), [](const auto& a, const auto& b) {
+      return a.position < b.position || (a.position == b.position && a.node < b.node);
+    });
+    return std::move(domain_);
+  }
+
+ private:
+  Index on_plane(Index e) const {
+    const auto at =
+        std::lower_bound(chart_.triangles.begin(), chart_.triangles.end(), triangle_of(e));
+    return 3 * static_cast<Index>(at - chart_.triangles.begin()) + e % 3;
+  }
+  Index on_surface(Index e) const { return 3 * chart_.triangles[triangle_of(e)] + e % 3; }
+
+  /// The nodes along half-edge e of the plane, without that at its target.
+  void append(Index e, Loop& loop) {
+    const Vec2 a = chart_.plane.points[chart_.plane.origin(e)];
+    const Vec2 b = chart_.plane.points[chart_.plane.target(e)];
+    nodes_.for_each_along(on_surface(e), [&](NodeOnEdge at) {
+      const Vec2 p = at.share == 0 ? a : (1 - at.share) * a + at.share * b;
+      loop.push_back(p);
+      domain_.places.push_back({p, at.node});
+    });
+  }
+
+  /// Features inside, curve by curve: polylines from node to node.
+  void add_inner_features(const SurfaceFeatures& features, const SurfaceCurves& curves,
+                          const Atlas& atlas) {
+    for (Index c = 0; c < curves.count(); ++c) {
+      const auto vertices = curves.vertices.row(c);
+      const auto edges = curves.edges.row(c);
+      Loop line;
+      for (std::size_t k = 0; k < edges.size(); ++k) {
+        const Index e = inner_half_edge(features.edges, edges[k], vertices[k], atlas);
+        if (e == none) {
+          add_polyline(std::move(line));
+          line.clear();
+          continue;
+        }
+        append(e, line);
+        if (k + 1 == edges.size() ||
+            inner_half_edge(features.edges, edges[k + 1], vertices[k + 1], atlas) == none)
+          append_target(e, line);
+      }
+      add_polyline(std::move(line));
+    }
+  }
+
+  void add_polyline(Loop line) {
+    if (line.size() > 1) domain_.input.polylines.push_back({std::move(line), ""});
+  }
+
+  /// The half-edge of the plane that leaves `from` on this edge, if it lies inside; else none.
+  Index inner_half_edge(const SurfaceEdges& edges, Index edge, Index from,
+                        const Atlas& atlas) const {
+    for (const Index e : edges.half_edges.row(edge)) {
+      if (atlas.cut[e] || mesh_.origin(e) != from) continue;
+      if (std::binary_search(chart_.triangles.begin(), chart_.triangles.end(), triangle_of(e)))
+        return on_plane(e);
+    }
+    return none;
+  }
+
+  void append_target(Index e, Loop& line) {
+    const Index next = next_in_triangle(e);
+    const Vec2 p = chart_.plane.points[chart_.plane.origin(next)];
+    const Index node = nodes_.at_vertex(mesh_.origin(on_surface(next)));
+    if (node == none) return;
+    line.push_back(p);
+    domain_.places.push_back({p, node});
+  }
+
+  const SurfaceMesh& mesh_;
+  const Chart& chart_;
+  const CurveNodes& nodes_;
+  ChartDomain domain_;
+};
+
+}  // namespace
+
+Index ChartDomain::node_at(Vec2 position) const {
+  const auto at =
+      std::lower_bound(places.begin(), places.end(), position,
+                       [](const Place& place, Vec2 sought) { return place.position < sought; });
+  return at != places.end() && at->position == position ? at->node : none;
+}
+
+ChartDomain chart_domain(const SurfaceMesh& mesh, const SurfaceFeatures& features,
+                         const SurfaceCurves& curves, const Atlas& atlas, const Chart& chart,
+                         const CurveNodes& nodes) {
+  return DomainMaker(mesh, chart, nodes).run(features, curves, atlas);
+}
+
+}  // namespace lpq

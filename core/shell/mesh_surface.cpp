@@ -1,0 +1,190 @@
+// See mesh_surface.h.
+#include "shell/mesh_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <optional>
+
+#include "numerics/elementary.h"
+#include "shell/check.h"
+#include "shell/mesh_charts.h"
+#include "shell/quality.h"
+#include "surface/components.h"
+#include "surface/corners.h"
+#include "surface/size_field.h"
+
+namespace lpq {
+namespace {
+
+constexpr double default_quads = 3000;
+// A chart without a mesh is tried again with smaller sizes on it.
+constexpr int most_rounds = 3;
+constexpr double smaller = 0.6;
+
+class SurfaceRun {
+ public:
+  SurfaceRun(const SurfaceOptions& options, Monitor monitor)
+      : options_(options), monitor_(monitor) {}
+
+  Result<ShellOutcome> run(SurfaceSoup soup) {
+    if (const auto ranges = check_ranges(options_); !ranges) return ranges.error();
+    outcome_.report.warnings = soup.warnings;
+    auto repaired = repair_surface(std::move(soup), {.weld = options_.weld});
+    if (!repaired) return repaired.error();
+    outcome_.surface = std::move(repaired->mesh);
+    outcome_.report.repair = repaired->report;
+    if (auto error = find_lines()) return *error;
+    if (auto error = make_fields_and_charts()) return *error;
+    for (;; ++outcome_.report.rounds) {
+      auto made = mesh_once();
+      if (!made) return made.error();
+      if (made->failures.empty()) {
+        outcome_.mesh = std::move(made->mesh);
+        break;
+      }
+      if (outcome_.report.rounds == most_rounds) return failed(made->failures.front());
+      shrink_sizes(made->failures);
+    }
+    return finish();
+  }
+
+ private:
+  const SurfaceMesh& surface() const { return outcome_.surface; }
+
+  bool stopped(const char* stage) { return !monitor_({.stage = stage}); }
+  static Error cancelled() { return {ErrorCode::cancelled, "The run was cancelled.", {}}; }
+
+  std::optional<Error> find_lines() {
+    double& h = outcome_.report.target_size;
+    double area = 0;
+    for (const auto& [a, b, c] : surface().triangles)
+      area += 0.5 * length(cross(surface().points[b] - surface().points[a],
+                                 surface().points[c] - surface().points[a]));
+    h = options_.size > 0 ? options_.size : std::sqrt(area / default_quads);
+    if (area / (h * h) > options_.max_elements)
+      return Error{ErrorCode::too_many_elements,
+                   "About " + short_number(area / (h * h)) +
+                       " elements would be needed, more than the limit of " +
+                       std::to_string(options_.max_elements) +
+                       ". Use a larger size or raise maxElements.",
+                   {}};
+    const std::vector<double> plain(surface().points.size(), h);
+    features_ = find_features(surface(), plain,
+                              {.angle = options_.feature_angle, .groups = options_.keep_groups});
+    feature_.resize(3 * surface().triangles.size());
+    for (Index e = 0; e < static_cast<Index>(feature_.size()); ++e)
+      feature_[e] = features_.half_edge_is_feature(e);
+    SurfaceSizeOptions sizes;
+    sizes.size = h;
+    sizes.largest_turn = options_.turn * pi / 180;
+    sizes.growth = options_.growth;
+    auto size = surface_sizes(surface(), feature_, sizes);
+    if (!size) return size.error();
+    size_ = std::move(*size);
+    return std::nullopt;
+  }
+
+  std::optional<Error> make_fields_and_charts() {
+    if (stopped("field")) return cancelled();
+    cross_ = solve_surface_cross(surface(), feature_);
+    if (stopped("charts")) return cancelled();
+    atlas_ = make_charts(surface(), feature_);
+    lines_ = features_;
+    std::vector<char> line(feature_.size());
+    for (Index e = 0; e < static_cast<Index>(line.size()); ++e) {
+      FeatureKind& kind = lines_.kind[lines_.edges.edge_of[e]];
+      if (atlas_.cut[e] && kind == FeatureKind::smooth) kind = FeatureKind::marked;
+    }
+    for (Index e = 0; e < static_cast<Index>(line.size()); ++e)
+      line[e] = lines_.half_edge_is_feature(e);
+    // Features may divide a chart: what lies between lines needs an even border each.
+    Components parts = components_of(surface().twins, line);
+    lines_.face = std::move(parts.of_triangle);
+    lines_.face_count = parts.count;
+    return std::nullopt;
+  }
+
+  Charted charted() const {
+    return {surface(), features_, cross_, size_, atlas_, lines_, curves_, nodes_};
+  }
+
+  Result<MeshedCharts> mesh_once() {
+    mark_corners(surface(), size_, FeatureOptions{}.corner_angle, lines_);
+    curves_ = trace_curves(surface(), lines_);
+    auto nodes = mesh_curves(surface(), lines_, curves_, size_);
+    if (!nodes) return nodes.error();
+    nodes_ = std::move(*nodes);
+    return mesh_charts(charted(), chart_options(options_), monitor_);
+  }
+
+  void shrink_sizes(const std::vector<ChartFailure>& failures) {
+    std::vector<char> meant(size_.size(), 0);
+    for (const ChartFailure& failure : failures)
+      for (const Index v : atlas_.charts[failure.chart].vertex) meant[v] = 1;
+    for (std::size_t v = 0; v < size_.size(); ++v)
+      if (meant[v]) size_[v] *= smaller;
+    limit_surface_growth(surface(), options_.growth, size_);
+  }
+
+  Error failed(const ChartFailure& failure) const {
+    const Index t = atlas_.charts[failure.chart].triangles.front();
+    const Vec3 at = surface().points[surface().triangles[t][0]];
+    return {ErrorCode::no_valid_mesh,
+            "No mesh was found for the part of the surface near (" + short_number(at.x) + ", " +
+                short_number(at.y) + ", " + short_number(at.z) + "): " + failure.error.message,
+            {}};
+  }
+
+  Result<ShellOutcome> finish() {
+    ShellReport& report = outcome_.report;
+    if (stopped("seams")) return cancelled();
+    report.seams = finish_seams(charted(), chart_options(options_), outcome_.mesh);
+    if (const auto wrong = check_shell(surface(), outcome_.mesh); !wrong.empty())
+      return Error{ErrorCode::no_valid_mesh, "No valid mesh was found: " + wrong.front().what, {}};
+    for (Index edge = 0; edge < features_.edges.count(); ++edge)
+      report.feature_edges += features_.is_feature(edge);
+    report.corners =
+        static_cast<Index>(std::count(features_.corner.begin(), features_.corner.end(), 1));
+    report.curves = trace_curves(surface(), features_).count();
+    report.faces = features_.face_count;
+    report.charts = static_cast<Index>(atlas_.charts.size());
+    report.chart_counts = atlas_.counts;
+    report.singularities = cross_.singularities;
+    report.quality = shell_quality(outcome_.mesh);
+    report.size = shell_size_fidelity(outcome_.mesh, surface().triangles, size_);
+    return std::move(outcome_);
+  }
+
+  const SurfaceOptions& options_;
+  Monitor monitor_;
+  ShellOutcome outcome_;
+  SurfaceFeatures features_, lines_;
+  std::vector<char> feature_;  // #half-edges
+  std::vector<double> size_;   // #V
+  SurfaceCrossField cross_;
+  Atlas atlas_;
+  SurfaceCurves curves_;
+  CurveMesh nodes_;
+};
+
+}  // namespace
+
+Options chart_options(const SurfaceOptions& options) {
+  Options planar;
+  planar.keep_boundary = true;
+  planar.effort = options.effort;
+  planar.seed = options.seed;
+  planar.growth = 1;  // the surface's sizes are limited already
+  planar.size_weight = options.size_weight;
+  planar.smoothing = options.smoothing;
+  planar.max_elements = options.max_elements;
+  return planar;
+}
+
+Result<ShellOutcome> mesh_surface(SurfaceSoup soup, const SurfaceOptions& options,
+                                  Monitor monitor) {
+  return SurfaceRun(options, monitor).run(std::move(soup));
+}
+
+}  // namespace lpq

@@ -1,0 +1,46 @@
+// The order of the stages on a surface, and nothing else: repair, features, fields, charts, curves,
+// the planar chain in every chart, seams, final check. The paper's section 5, with one cross field
+// for all.
+#pragma once
+
+#include <vector>
+
+#include "base/monitor.h"
+#include "base/result.h"
+#include "pipeline/report.h"
+#include "shell/options.h"
+#include "shell/seams.h"
+#include "shell/shell_mesh.h"
+#include "surface/repair.h"
+#include "surface/soup.h"
+
+namespace lpq {
+
+struct ShellReport {
+  RepairReport repair;
+  Index feature_edges = 0, corners = 0, curves = 0, faces = 0;
+  Index charts = 0;
+  ChartCounts chart_counts;
+  std::vector<SurfaceSingularity> singularities;
+  Index rounds = 1;  // of sizes made smaller where a chart had no mesh
+  SeamStats seams;
+  QuadQuality quality;  // in space
+  SizeFidelity size;
+  double target_size = 0;  // the constant one
+  std::uint64_t hash = 0;  // of points and faces
+  std::vector<StageTime> times;
+  std::vector<Warning> warnings;
+};
+
+struct ShellOutcome {
+  SurfaceMesh surface;  // as repaired
+  ShellMesh mesh;
+  ShellReport report;
+};
+
+/// Errors: those of repair_surface, bad_option, bad_size, too_many_elements, no_valid_mesh,
+/// cancelled.
+Result<ShellOutcome> mesh_surface(SurfaceSoup soup, const SurfaceOptions& options = {},
+                                  Monitor monitor = {});
+
+}  // namespace lpq

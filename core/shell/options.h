@@ -1,0 +1,55 @@
+// Every option of a surface run, declared once (see pipeline/options.h).
+#pragma once
+
+#include "pipeline/options.h"
+
+namespace lpq {
+
+struct SurfaceOptions {
+  double size = 0;
+  double feature_angle = 40;
+  bool keep_groups = true;
+  double turn = 0;
+  double growth = 0.3;
+  double weld = 1e-10;
+  Effort effort = Effort::normal;
+  std::uint64_t seed = 1;
+  double size_weight = 0.11;
+  int smoothing = -1;
+  int max_elements = 10'000'000;
+};
+
+template <class O, class F>
+requires std::is_same_v<std::remove_const_t<O>, SurfaceOptions>
+void each_field(O& o, F&& visit) {
+  visit("size", o.size,
+        FieldInfo{0, 1e300, "length", "Target edge length; 0 gives about 3000 quads."});
+  visit("featureAngle", o.feature_angle,
+        FieldInfo{0, 180, "degrees", "Edges that bend by more are kept as edges of the mesh."});
+  visit("keepGroups", o.keep_groups,
+        FieldInfo{0, 1, "", "Borders between the groups of the file are kept as edges."});
+  visit("turn", o.turn,
+        FieldInfo{0, 90, "degrees",
+                  "Smaller quads where the surface would turn by more over one; 0 = not asked."});
+  visit("growth", o.growth, FieldInfo{0.01, 10, "", "Largest slope of the size field."});
+  visit("weld", o.weld,
+        FieldInfo{0, 0.01, "", "Points nearer than this share of the diagonal become one."});
+  visit("effort", o.effort,
+        FieldInfo{0, 1, "",
+                  "high: irregular vertices are moved about and cancelled for much longer."});
+  visit("seed", o.seed, FieldInfo{0, 9007199254740991.0, "", "Seed of random choices."});
+  visit("sizeWeight", o.size_weight,
+        FieldInfo{0, 10, "",
+                  "What keeping to the target size is worth beside right angles; with 0 only the "
+                  "angles count."});
+  visit("smoothing", o.smoothing,
+        FieldInfo{-1, 10000, "", "Iterations of the final smoothing; -1 leaves it to the mesher."});
+  visit("maxElements", o.max_elements,
+        FieldInfo{1, 100'000'000, "",
+                  "Refuse before allocating when more elements than this are expected."});
+}
+
+/// What the planar chain of one chart is asked for.
+Options chart_options(const SurfaceOptions& options);
+
+}  // namespace lpq

@@ -1,0 +1,17 @@
+// From a chart's plane back to the surface.
+#pragma once
+
+#include "field/field.h"
+#include "mesh/surface_mesh.h"
+#include "shell/shell_mesh.h"
+#include "surface/charts/charts.h"
+
+namespace lpq {
+
+/// Where p of the chart's plane lies on the surface; a point off the chart, which chords cut off
+/// its border, goes to the nearest triangle. `fields` are those of chart_fields().
+SurfacePlace place_on(const Chart& chart, const Fields& fields, Vec2 p, Index& hint);
+
+Vec3 point_at(const SurfaceMesh& mesh, const SurfacePlace& place);
+
+}  // namespace lpq

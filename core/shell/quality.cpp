@@ -1,0 +1,132 @@
+// See quality.h.
+#include "shell/quality.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "numerics/elementary.h"
+
+namespace lpq {
+namespace {
+
+using Edge = std::array<Index, 2>;
+
+/// Every edge once per face that has it, the smaller vertex first; sorted.
+std::vector<Edge> face_edges(const ShellMesh& mesh) {
+  std::vector<Edge> edges;
+  for (const Face& face : mesh.faces)
+    for (int k = 0; k < corner_count(face); ++k) {
+      const Index a = face[k], b = face[(k + 1) % corner_count(face)];
+      edges.push_back({std::min(a, b), std::max(a, b)});
+    }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+bool has_reflex_corner(const ShellMesh& mesh, const Face& face) {
+  const Vec3 a = mesh.points[face[0]], b = mesh.points[face[1]];
+  const Vec3 c = mesh.points[face[2]], d = mesh.points[face[3]];
+  const Vec3 normal = cross(c - a, d - b);
+  const Vec3 side[4] = {b - a, c - b, d - c, a - d};
+  for (int k = 0; k < 4; ++k)
+    if (!(dot(cross(side[(k + 3) & 3], side[k]), normal) > 0)) return true;
+  return false;
+}
+
+double percentile(std::vector<double>& values, double share) {
+  if (values.empty()) return 0;
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// Vertices on edges of one face only.
+std::vector<char> border_vertices(const ShellMesh& mesh, const std::vector<Edge>& edges) {
+  std::vector<char> border(mesh.points.size(), 0);
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t j = i;
+    while (j < edges.size() && edges[j] == edges[i]) ++j;
+    if (j - i == 1) border[edges[i][0]] = border[edges[i][1]] = 1;
+    i = j;
+  }
+  return border;
+}
+
+void count_valences(const ShellMesh& mesh, QuadQuality& quality) {
+  std::vector<Index> valence(mesh.points.size(), 0);
+  for (const Face& face : mesh.faces)
+    for (int k = 0; k < corner_count(face); ++k) ++valence[face[k]];
+  const std::vector<char> border = border_vertices(mesh, face_edges(mesh));
+  for (std::size_t v = 0; v < valence.size(); ++v) {
+    if (border[v] || valence[v] == 0) continue;
+    ++quality.interior_vertices;
+    if (valence[v] == 4) ++quality.regular_vertices;
+    ++quality.valence_histogram[std::min<Index>(valence[v], 9)];
+  }
+  if (quality.interior_vertices > 0)
+    quality.four_valent_percent = 100.0 * quality.regular_vertices / quality.interior_vertices;
+}
+
+}  // namespace
+
+double quad_eta(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+  const Vec3 side[4] = {b - a, c - b, d - c, a - d};
+  double worst = 0;
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 before = side[(k + 3) & 3];
+    const double sine = length(cross(before, side[k]));
+    const double cosine = std::abs(dot(before, side[k]));
+    if (!(sine > 0)) return 0;
+    worst = std::max(worst, arc_tangent(cosine, sine));
+  }
+  return std::max(1 - 2 / pi * worst, 0.0);
+}
+
+QuadQuality shell_quality(const ShellMesh& mesh) {
+  QuadQuality quality;
+  std::vector<double> etas;
+  for (const Face& face : mesh.faces) {
+    if (corner_count(face) == 3) {
+      ++quality.triangles;
+      continue;
+    }
+    const double eta = quad_eta(mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]],
+                                mesh.points[face[3]]);
+    if (has_reflex_corner(mesh, face)) ++quality.nonconvex;
+    etas.push_back(eta);
+    quality.eta_mean += eta;
+    ++quality.eta_histogram[std::min(static_cast<int>(20 * eta), 19)];
+  }
+  quality.quads = static_cast<Index>(etas.size());
+  if (!etas.empty()) {
+    quality.eta_mean /= static_cast<double>(etas.size());
+    quality.eta_min = *std::min_element(etas.begin(), etas.end());
+    quality.eta_p5 = percentile(etas, 0.05);
+  }
+  count_valences(mesh, quality);
+  return quality;
+}
+
+SizeFidelity shell_size_fidelity(const ShellMesh& mesh, std::span<const Tri> surface_triangles,
+                                 std::span<const double> size) {
+  const auto size_at = [&](Index v) {
+    const SurfacePlace& place = mesh.places[v];
+    double h = 0;
+    for (int k = 0; k < 3; ++k) h += place.weight[k] * size[surface_triangles[place.triangle][k]];
+    return h;
+  };
+  std::vector<Edge> edges = face_edges(mesh);
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::vector<double> ratio;
+  for (const auto& [a, b] : edges)
+    ratio.push_back(distance(mesh.points[a], mesh.points[b]) / (0.5 * (size_at(a) + size_at(b))));
+  if (ratio.empty()) return {};
+  SizeFidelity fidelity{percentile(ratio, 0.1), percentile(ratio, 0.5), percentile(ratio, 0.9)};
+  fidelity.min = *std::min_element(ratio.begin(), ratio.end());
+  fidelity.max = *std::max_element(ratio.begin(), ratio.end());
+  return fidelity;
+}
+
+}  // namespace lpq

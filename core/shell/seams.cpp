@@ -1,0 +1,149 @@
+// See seams.h.
+#include "shell/seams.h"
+
+#include <algorithm>
+
+#include "cleanup/cleanup.h"
+#include "mesh/quality.h"
+#include "pipeline/shape_options.h"
+#include "shell/ball.h"
+#include "shell/place.h"
+#include "shell/window.h"
+
+namespace lpq {
+namespace {
+
+constexpr double window_radius = 9;  // in mesh sizes
+constexpr double smallest_radius = 3.5;
+constexpr double shrink = 0.7;         // of a window without a good map
+constexpr double covered_share = 0.5;  // of the radius: what a window has dealt with
+constexpr int smoothing_steps = 60;
+
+class SeamFinisher {
+ public:
+  SeamFinisher(const Charted& charted, const Options& options, ShellMesh& mesh,
+               std::span<const char> feature)
+      : charted_(charted),
+        options_(options),
+        mesh_(mesh),
+        balls_(charted.mesh, feature),
+        windows_(charted.mesh, charted.cross, charted.size, feature) {}
+
+  SeamStats run() {
+    std::vector<char> wanted(mesh_.points.size(), 0);
+    for (std::size_t v = 0; v < charted_.nodes.points.size(); ++v) wanted[v] = !mesh_.pinned[v];
+    for (int pass = 0; pass < 2; ++pass) {
+      rim_.assign(mesh_.points.size(), 0);
+      sweep(wanted);
+      wanted = rim_;
+    }
+    compact();
+    return stats_;
+  }
+
+ private:
+  /// One window after the other over the vertices that want one.
+  void sweep(std::vector<char> wanted) {
+    for (std::size_t v = 0; v < wanted.size(); ++v) {
+      if (!wanted[v] || mesh_.places[v].triangle == none) continue;
+      const double h = charted_.size[charted_.mesh.triangles[mesh_.places[v].triangle][0]];
+      for (double radius = window_radius; radius >= smallest_radius; radius *= shrink) {
+        auto triangles = balls_.ball(mesh_.places[v].triangle, radius * h);
+        auto window = windows_.open(mesh_, std::move(triangles));
+        if (!window) continue;
+        ++stats_.windows;
+        const Vec3 centre = mesh_.points[v];
+        rework(*window);
+        for (std::size_t w = v; w < wanted.size(); ++w)
+          if (distance(mesh_.points[w], centre) < covered_share * radius * h) wanted[w] = 0;
+        break;
+      }
+      wanted[v] = 0;
+    }
+  }
+
+  void rework(Window& window) {
+    const Index bad_before = quad_quality(window.quads).nonconvex;
+    CleanupResult cleaned = clean_up(window.quads, window.fields, cleanup_before_patches(options_));
+    PatchRemesher remesher(std::move(cleaned.mesh), window.fields, patch_options(options_));
+    while (remesher.step(1000)) {
+    }
+    QuadMesh quads = remesher.mesh();
+    SmoothOptions smoothing = shape_smoothing(options_);
+    smoothing.iterations = smoothing_steps;
+    smooth_eta(quads, window.fields, smoothing);
+    if (quad_quality(quads).nonconvex > bad_before) return;
+    ++stats_.accepted;
+    put_back(window, quads);
+  }
+
+  void put_back(const Window& window, const QuadMesh& quads) {
+    const Index face = mesh_.face[window.faces[0]];
+    for (const Index f : window.faces) mesh_.faces[f] = {none, none, none, none};
+    for (std::size_t v = window.quads.fixed; v < window.vertex.size(); ++v)
+      mesh_.places[window.vertex[v]].triangle = none;
+    std::vector<Index> number(window.vertex.begin(), window.vertex.begin() + window.quads.fixed);
+    Index hint = none;
+    for (std::size_t v = quads.fixed; v < quads.points.size(); ++v) {
+      number.push_back(static_cast<Index>(mesh_.points.size()));
+      const SurfacePlace place = place_on(window.chart, window.fields, quads.points[v], hint);
+      mesh_.places.push_back(place);
+      mesh_.points.push_back(point_at(charted_.mesh, place));
+      mesh_.pinned.push_back(0);
+      rim_.push_back(0);
+    }
+    for (const Index v : window.vertex) rim_[v] = 0;
+    for (Index v = 0; v < quads.fixed; ++v) rim_[number[v]] = !mesh_.pinned[number[v]];
+    for (const Face& f : quads.faces) {
+      mesh_.faces.push_back({number[f[0]], number[f[1]], number[f[2]], number[f[3]]});
+      mesh_.face.push_back(face);
+    }
+  }
+
+  /// Sweeps out what died.
+  void compact() {
+    std::vector<Index> number(mesh_.points.size(), none);
+    Index count = 0;
+    for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
+      if (mesh_.places[v].triangle == none) continue;
+      mesh_.points[count] = mesh_.points[v];
+      mesh_.places[count] = mesh_.places[v];
+      mesh_.pinned[count] = mesh_.pinned[v];
+      number[v] = count++;
+    }
+    mesh_.points.resize(count);
+    mesh_.places.resize(count);
+    mesh_.pinned.resize(count);
+    std::size_t kept = 0;
+    for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+      if (mesh_.faces[f][0] == none) continue;
+      for (Index& v : mesh_.faces[f])
+        if (v != none) v = number[v];
+      mesh_.faces[kept] = mesh_.faces[f];
+      mesh_.face[kept++] = mesh_.face[f];
+    }
+    mesh_.faces.resize(kept);
+    mesh_.face.resize(kept);
+    for (auto& edge : mesh_.edges)
+      for (Index& v : edge) v = number[v];
+  }
+
+  const Charted& charted_;
+  const Options& options_;
+  ShellMesh& mesh_;
+  BallFinder balls_;
+  WindowMaker windows_;
+  std::vector<char> rim_;  // #V  free vertices on the borders of windows
+  SeamStats stats_;
+};
+
+}  // namespace
+
+SeamStats finish_seams(const Charted& charted, const Options& options, ShellMesh& mesh) {
+  std::vector<char> feature(3 * charted.mesh.triangles.size());
+  for (std::size_t e = 0; e < feature.size(); ++e)
+    feature[e] = charted.features.half_edge_is_feature(static_cast<Index>(e));
+  return SeamFinisher(charted, options, mesh, feature).run();
+}
+
+}  // namespace lpq

@@ -1,0 +1,20 @@
+// The last step on the union: cuts that are no features leave seams of irregular vertices. Windows
+// over them, and then over the borders of these windows, are remeshed and smoothed in their planes,
+// so that in the end nothing tells where a cut was.
+#pragma once
+
+#include "base/monitor.h"
+#include "pipeline/options.h"
+#include "shell/mesh_charts.h"
+
+namespace lpq {
+
+struct SeamStats {
+  Index windows = 0;   // opened
+  Index accepted = 0;  // whose result was taken
+};
+
+/// Frees the nodes on cuts and remeshes around them.
+SeamStats finish_seams(const Charted& charted, const Options& options, ShellMesh& mesh);
+
+}  // namespace lpq

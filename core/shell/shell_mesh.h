@@ -1,0 +1,28 @@
+// A quad mesh on a surface: flat arrays as everywhere, with the place of every vertex on the
+// surface it came from.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/vec3.h"
+#include "mesh/quad_mesh.h"
+
+namespace lpq {
+
+/// A point of the surface: in a triangle, by the weights of its corners.
+struct SurfacePlace {
+  Index triangle = none;
+  double weight[3] = {0, 0, 0};
+};
+
+struct ShellMesh {
+  std::vector<Vec3> points;                 // #V  nodes of the curves first
+  std::vector<SurfacePlace> places;         // #V
+  std::vector<Face> faces;                  // #F  counter-clockwise seen from outside
+  std::vector<Index> face;                  // #F  face of the surface, between features
+  std::vector<char> pinned;                 // #V  on a feature or border: 1, a corner: 2, free: 0
+  std::vector<std::array<Index, 2>> edges;  // #E  edges on features and borders, a < b, sorted
+};
+
+}  // namespace lpq

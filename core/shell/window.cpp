@@ -1,0 +1,160 @@
+// See window.h.
+#include "shell/window.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "shell/chart_fields.h"
+#include "surface/charts/checks.h"
+#include "surface/charts/map_part.h"
+
+namespace lpq {
+namespace {
+
+/// Into a box of the order of one, by a power of two: planar thresholds are meant for that.
+void normalise(Chart& chart) {
+  Vec2 low = chart.plane.points[0], high = low;
+  for (const Vec2 p : chart.plane.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const double extent = std::max(high.x - low.x, high.y - low.y);
+  double factor = 1;
+  while (factor * extent > 1) factor *= 0.5;
+  while (factor * extent < 0.5) factor *= 2;
+  for (Vec2& p : chart.plane.points) p = factor * (p - low);
+  for (double& scale : chart.scale) scale *= factor;
+}
+
+using Edge = std::array<Index, 2>;
+
+std::vector<Edge> directed_edges(const ShellMesh& shell, const std::vector<Index>& faces) {
+  std::vector<Edge> edges;
+  for (const Index f : faces)
+    for (int k = 0; k < corner_count(shell.faces[f]); ++k)
+      edges.push_back({shell.faces[f][k], shell.faces[f][(k + 1) % corner_count(shell.faces[f])]});
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// Origins of the edges that have no opposite, ascending; a vertex that the border passes twice is
+/// there twice.
+std::vector<Index> border_origins(const ShellMesh& shell, const std::vector<Index>& faces) {
+  const std::vector<Edge> edges = directed_edges(shell, faces);
+  std::vector<Index> origins;
+  for (const auto& [a, b] : edges)
+    if (!std::binary_search(edges.begin(), edges.end(), Edge{b, a})) origins.push_back(a);
+  return origins;
+}
+
+/// Drops faces until the border passes no vertex twice.
+void drop_pinches(const ShellMesh& shell, std::vector<Index>& faces) {
+  for (;;) {
+    const std::vector<Index> origins = border_origins(shell, faces);
+    std::vector<Index> pinched;
+    for (std::size_t i = 1; i < origins.size(); ++i)
+      if (origins[i] == origins[i - 1]) pinched.push_back(origins[i]);
+    if (pinched.empty()) return;
+    std::erase_if(faces, [&](Index f) {
+      return std::any_of(shell.faces[f].begin(), shell.faces[f].end(), [&](Index v) {
+        return std::binary_search(pinched.begin(), pinched.end(), v);
+      });
+    });
+  }
+}
+
+}  // namespace
+
+WindowMaker::WindowMaker(const SurfaceMesh& mesh, const SurfaceCrossField& cross,
+                         std::span<const double> size, std::span<const char> feature)
+    : mesh_(mesh),
+      cross_(cross),
+      size_(size),
+      feature_(feature),
+      taker_(mesh),
+      own_(mesh.triangles.size(), none) {}
+
+bool WindowMaker::map(std::vector<Index> triangles, Chart& chart) {
+  const Part part = taker_.take(std::move(triangles), feature_);
+  bool solved = false;
+  PartMap map = map_part(mesh_, part, {}, MapMethod::lscm, solved);
+  if (map.verdict != Verdict::accepted) return false;
+  chart.triangles = part.triangles;
+  chart.vertex = part.vertex;
+  chart.plane.points = std::move(map.uv);
+  chart.plane.triangles = part.corners;
+  chart.plane.twins = part.twins;
+  chart.plane.region.assign(part.triangles.size(), 0);
+  chart.scale = scales_of(mesh_, part, chart.plane.points);
+  normalise(chart);
+  return true;
+}
+
+std::vector<Index> WindowMaker::faces_inside(const ShellMesh& shell, const Chart& chart) {
+  for (std::size_t i = 0; i < chart.triangles.size(); ++i)
+    own_[chart.triangles[i]] = static_cast<Index>(i);
+  std::vector<Index> faces;
+  for (Index f = 0; f < static_cast<Index>(shell.faces.size()); ++f) {
+    const Face& face = shell.faces[f];
+    if (face[0] == none || face[3] == none) continue;
+    if (std::all_of(face.begin(), face.end(),
+                    [&](Index v) { return own_[shell.places[v].triangle] != none; }))
+      faces.push_back(f);
+  }
+  drop_pinches(shell, faces);
+  return faces;
+}
+
+void WindowMaker::lay_out(const ShellMesh& shell, Window& window) {
+  std::vector<Index> all;
+  for (const Index f : window.faces)
+    all.insert(all.end(), shell.faces[f].begin(), shell.faces[f].end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  const std::vector<Index> border = border_origins(shell, window.faces);
+  const auto middle = std::stable_partition(all.begin(), all.end(), [&](Index v) {
+    return shell.pinned[v] || std::binary_search(border.begin(), border.end(), v);
+  });
+  QuadMesh& quads = window.quads;
+  quads.fixed = static_cast<Index>(middle - all.begin());
+  std::vector<std::pair<Index, Index>> number;
+  for (const Index v : all) {
+    const SurfacePlace& place = shell.places[v];
+    const Tri& corners = window.chart.plane.triangles[own_[place.triangle]];
+    Vec2 p{};
+    for (int k = 0; k < 3; ++k) p += place.weight[k] * window.chart.plane.points[corners[k]];
+    number.push_back({v, static_cast<Index>(quads.points.size())});
+    quads.points.push_back(p);
+  }
+  std::sort(number.begin(), number.end());
+  const auto of = [&](Index v) {
+    return std::lower_bound(number.begin(), number.end(), std::pair{v, Index{0}})->second;
+  };
+  for (const Index f : window.faces) {
+    Face face;
+    for (int k = 0; k < 4; ++k) face[k] = of(shell.faces[f][k]);
+    quads.faces.push_back(face);
+    for (int k = 0; k < 4; ++k) {
+      const Index a = shell.faces[f][k], b = shell.faces[f][(k + 1) % 4];
+      if (a < b && std::binary_search(shell.edges.begin(), shell.edges.end(), Edge{a, b}))
+        quads.walls.push_back({std::min(of(a), of(b)), std::max(of(a), of(b))});
+    }
+  }
+  quads.region.assign(quads.faces.size(), 0);
+  std::sort(quads.walls.begin(), quads.walls.end());
+  quads.walls.erase(std::unique(quads.walls.begin(), quads.walls.end()), quads.walls.end());
+  window.vertex = std::move(all);
+}
+
+std::optional<Window> WindowMaker::open(const ShellMesh& shell, std::vector<Index> triangles) {
+  Window window;
+  if (!map(std::move(triangles), window.chart)) return std::nullopt;
+  window.faces = faces_inside(shell, window.chart);
+  if (!window.faces.empty()) lay_out(shell, window);
+  for (const Index t : window.chart.triangles) own_[t] = none;
+  if (window.faces.empty()) return std::nullopt;
+  window.fields = chart_fields(mesh_, cross_, size_, window.chart);
+  return window;
+}
+
+}  // namespace lpq

@@ -1,0 +1,48 @@
+// A window: some quads of a shell mesh laid out in a plane, with the part of the surface that they
+// lie on, so that planar operations can work on them and the result goes back.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "field/field.h"
+#include "mesh/quad_mesh.h"
+#include "shell/shell_mesh.h"
+#include "surface/charts/charts.h"
+#include "surface/charts/part.h"
+#include "surface/cross_field.h"
+
+namespace lpq {
+
+struct Window {
+  Chart chart;                // one part of the surface in the plane
+  Fields fields;              // on it
+  QuadMesh quads;             // border vertices and pinned ones are fixed
+  std::vector<Index> vertex;  // #V of quads: vertex of the shell mesh
+  std::vector<Index> faces;   // of the shell mesh
+};
+
+/// Opens windows on one surface and one mesh of it.
+class WindowMaker {
+ public:
+  WindowMaker(const SurfaceMesh& mesh, const SurfaceCrossField& cross, std::span<const double> size,
+              std::span<const char> feature);
+
+  /// The window over these triangles; none where they have no good map or hold no quads.
+  std::optional<Window> open(const ShellMesh& shell, std::vector<Index> triangles);
+
+ private:
+  bool map(std::vector<Index> triangles, Chart& chart);
+  std::vector<Index> faces_inside(const ShellMesh& shell, const Chart& chart);
+  void lay_out(const ShellMesh& shell, Window& window);
+
+  const SurfaceMesh& mesh_;
+  const SurfaceCrossField& cross_;
+  std::span<const double> size_;
+  std::span<const char> feature_;
+  PartTaker taker_;
+  std::vector<Index> own_;  // #T of the surface  triangle of the window, none outside calls
+};
+
+}  // namespace lpq
