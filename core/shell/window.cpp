@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cleanup/quad_topology.h"
 #include "shell/chart_fields.h"
 #include "surface/charts/checks.h"
 #include "surface/charts/map_part.h"
@@ -101,8 +102,37 @@ std::vector<Index> WindowMaker::faces_inside(const ShellMesh& shell, const Chart
                     [&](Index v) { return own_[shell.places[v].triangle] != none; }))
       faces.push_back(f);
   }
-  drop_pinches(shell, faces);
+  drop_bad_rim(shell, chart, faces);
   return faces;
+}
+
+Vec2 WindowMaker::in_plane(const ShellMesh& shell, const Chart& chart, Index v) const {
+  const SurfacePlace& place = shell.places[v];
+  const Tri& corners = chart.plane.triangles[own_[place.triangle]];
+  Vec2 p{};
+  for (int k = 0; k < 3; ++k) p += place.weight[k] * chart.plane.points[corners[k]];
+  return p;
+}
+
+/// What is not convex in this plane and touches the rim, which is fixed, might never be mended.
+void WindowMaker::drop_bad_rim(const ShellMesh& shell, const Chart& chart,
+                               std::vector<Index>& faces) const {
+  for (std::size_t before = faces.size() + 1; before != faces.size();) {
+    before = faces.size();
+    drop_pinches(shell, faces);
+    const std::vector<Index> rim = border_origins(shell, faces);
+    std::erase_if(faces, [&](Index f) {
+      const Face& face = shell.faces[f];
+      std::array<Vec2, 4> p;
+      bool fixed = false;
+      for (int k = 0; k < 4; ++k) {
+        p[k] = in_plane(shell, chart, face[k]);
+        fixed =
+            fixed || shell.pinned[face[k]] || std::binary_search(rim.begin(), rim.end(), face[k]);
+      }
+      return fixed && !is_strictly_convex(p, {0, 1, 2, 3});
+    });
+  }
 }
 
 void WindowMaker::lay_out(const ShellMesh& shell, Window& window) {
@@ -119,12 +149,8 @@ void WindowMaker::lay_out(const ShellMesh& shell, Window& window) {
   quads.fixed = static_cast<Index>(middle - all.begin());
   std::vector<std::pair<Index, Index>> number;
   for (const Index v : all) {
-    const SurfacePlace& place = shell.places[v];
-    const Tri& corners = window.chart.plane.triangles[own_[place.triangle]];
-    Vec2 p{};
-    for (int k = 0; k < 3; ++k) p += place.weight[k] * window.chart.plane.points[corners[k]];
     number.push_back({v, static_cast<Index>(quads.points.size())});
-    quads.points.push_back(p);
+    quads.points.push_back(in_plane(shell, window.chart, v));
   }
   std::sort(number.begin(), number.end());
   const auto of = [&](Index v) {

@@ -35,6 +35,8 @@ class WindowMaker {
  private:
   bool map(std::vector<Index> triangles, Chart& chart);
   std::vector<Index> faces_inside(const ShellMesh& shell, const Chart& chart);
+  void drop_bad_rim(const ShellMesh& shell, const Chart& chart, std::vector<Index>& faces) const;
+  Vec2 in_plane(const ShellMesh& shell, const Chart& chart, Index v) const;
   void lay_out(const ShellMesh& shell, Window& window);
 
   const SurfaceMesh& mesh_;
