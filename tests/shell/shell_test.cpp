@@ -1,0 +1,113 @@
+// Surfaces from end to end: the union conforms and has the topology of the surface, features are
+// edges of the mesh, and cuts leave no trace that a person would see.
+#include <algorithm>
+#include <cmath>
+
+#include "catch.h"
+#include "shell/check.h"
+#include "shell/mesh_surface.h"
+#include "shell/quality.h"
+#include "support/surface_meshes.h"
+#include "support/surface_shapes.h"
+
+using namespace lpq;
+using namespace lpq_test;
+
+namespace {
+
+SurfaceSoup soup_of(const SurfaceMesh& mesh) {
+  SurfaceSoup soup;
+  soup.points = mesh.points;
+  soup.triangles = mesh.triangles;
+  soup.group_names = {""};
+  return soup;
+}
+
+ShellOutcome meshed(const SurfaceSoup& soup, const SurfaceOptions& options) {
+  auto outcome = mesh_surface(soup, options);
+  INFO((outcome ? "" : outcome.error().message));
+  REQUIRE(outcome.has_value());
+  CHECK(check_shell(outcome->surface, outcome->mesh).empty());
+  CHECK(outcome->report.quality.triangles == 0);
+  CHECK(outcome->report.quality.nonconvex == 0);
+  return *std::move(outcome);
+}
+
+/// Every vertex is where its place on the surface says.
+double largest_distance(const ShellOutcome& outcome) {
+  double largest = 0;
+  for (std::size_t v = 0; v < outcome.mesh.points.size(); ++v) {
+    const SurfacePlace& place = outcome.mesh.places[v];
+    Vec3 p{};
+    for (int k = 0; k < 3; ++k)
+      p += place.weight[k] * outcome.surface.points[outcome.surface.triangles[place.triangle][k]];
+    largest = std::max(largest, distance(p, outcome.mesh.points[v]));
+  }
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("a flat square is meshed as in the plane") {
+  const ShellOutcome outcome = meshed(soup_of(plane_square(5)), {.size = 0.1});
+  CHECK(outcome.report.charts == 1);
+  CHECK(outcome.report.quality.quads == 100);
+  CHECK(outcome.report.quality.eta_min > 0.999);
+}
+
+TEST_CASE("a box keeps its edges and gets nothing but squares") {
+  const ShellOutcome outcome = meshed(box_soup({1, 2, 1}, 3), {.size = 0.125});
+  CHECK(outcome.report.faces == 6);
+  CHECK(outcome.report.quality.quads == 2 * 64 + 4 * 128);
+  CHECK(outcome.report.quality.eta_min > 0.999);
+  CHECK(outcome.report.quality.valence_histogram[3] == 8);
+  // Feature edges of the mesh lie on the box's edges: two coordinates at an end.
+  for (const auto& [a, b] : outcome.mesh.edges) {
+    const Vec3 p = midpoint(outcome.mesh.points[a], outcome.mesh.points[b]);
+    const int at_end = (p.x == 0 || p.x == 1) + (p.y == 0 || p.y == 2) + (p.z == 0 || p.z == 1);
+    CHECK(at_end == 2);
+  }
+}
+
+TEST_CASE("an open pipe is one chart, and its seam vanishes") {
+  const ShellOutcome outcome = meshed(soup_of(cylinder(48, 60, 0.5, 5)), {.size = 0.1});
+  CHECK(outcome.report.quality.eta_mean > 0.99);
+  CHECK(outcome.report.quality.four_valent_percent > 99);
+  CHECK(largest_distance(outcome) < 1e-9);
+}
+
+TEST_CASE("closed surfaces are cut, meshed and made whole again") {
+  for (const SurfaceMesh& mesh : {sphere(12), torus(48, 24, 1, 0.4)}) {
+    SurfaceOptions options;
+    options.size = std::sqrt(surface_area(mesh) / 1500);
+    const ShellOutcome outcome = meshed(soup_of(mesh), options);
+    CHECK(outcome.report.faces == 1);
+    CHECK(outcome.report.quality.eta_mean > 0.9);
+    CHECK(outcome.report.quality.four_valent_percent > 96);
+    CHECK(outcome.report.quality.eta_min > 0.3);
+    CHECK(largest_distance(outcome) < 1e-9);
+  }
+}
+
+TEST_CASE("surfaces that cannot be meshed are refused in words") {
+  CHECK(mesh_surface({}).error().code == ErrorCode::empty);
+  const auto large = mesh_surface(soup_of(plane_square(2)), {.size = 1e-5});
+  REQUIRE(!large);
+  CHECK(large.error().code == ErrorCode::too_many_elements);
+  const auto wrong = mesh_surface(soup_of(plane_square(2)), {.feature_angle = 500});
+  REQUIRE(!wrong);
+  CHECK(wrong.error().code == ErrorCode::bad_option);
+}
+
+TEST_CASE("a surface run can be stopped, and repeats itself") {
+  const SurfaceSoup soup = soup_of(sphere(6));
+  int calls = 0;
+  const Monitor stop{[](const Progress&, void* user) { return ++*static_cast<int*>(user) < 4; },
+                     &calls};
+  const auto stopped = mesh_surface(soup, {.size = 0.2}, stop);
+  REQUIRE(!stopped);
+  CHECK(stopped.error().code == ErrorCode::cancelled);
+  const ShellOutcome a = meshed(soup, {.size = 0.2}), b = meshed(soup, {.size = 0.2});
+  CHECK(a.mesh.points == b.mesh.points);
+  CHECK(a.mesh.faces == b.mesh.faces);
+}
