@@ -120,9 +120,47 @@ async function longTasks(playground, layers) {
   await page.context().close();
 }
 
+/** In the page: a ring of 500 nodes, coarse enough to be drawn at once. */
+async function showRing() {
+  const { store, runner, stage } = globalThis.playground;
+  const loop = Array.from({ length: 500 }, (_, i) => [Math.cos(i * Math.PI / 250), Math.sin(i * Math.PI / 250)]);
+  const options = { size: 0.05 };
+  const done = new Promise((resolve) => runner.subscribe(({ phase, project }) => { if (phase === 'done' && project.options === options) resolve(); }));
+  store.change('Bench', { drawing: { regions: [{ name: '', loops: [loop] }], polylines: [], points: [] }, options, preset: 'bench' });
+  stage.fit();
+  await done;
+  const { scale, left, top } = stage.view, { x, y } = stage.overlay.getBoundingClientRect();
+  return [x + (1 - left) * scale, y + top * scale];
+}
+
+/** In the page: times between pictures while somebody drags. */
+function watchPictures() {
+  const gaps = globalThis.gaps = [];
+  let before = performance.now();
+  const next = (now) => { gaps.push(now - before); before = now; requestAnimationFrame(next); };
+  requestAnimationFrame(next);
+}
+
+/** A vertex of 500 is dragged about by the pointer, the mesh following. */
+async function dragging(playground) {
+  const page = await playground.open({ width: 1440, height: 900 });
+  await page.locator('.stage-name', { hasText: /^done/ }).waitFor({ timeout: 120000 });
+  const [x, y] = await page.evaluate(showRing);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.evaluate(watchPictures);
+  for (let i = 1; i <= 180; ++i) await page.mouse.move(x + 40 * Math.sin(i / 12), y + 30 * Math.sin(i / 7));
+  const gaps = (await page.evaluate(() => globalThis.gaps)).slice(2).sort((a, b) => a - b);
+  await page.mouse.up();
+  const at = (share) => gaps[Math.floor(share * (gaps.length - 1))].toFixed(1);
+  console.log(`\ndragging one vertex of 500: ${gaps.length} pictures, ${at(0.5)} ms between them in the median, ${at(0.95)} ms at the 95th percentile`);
+  await page.context().close();
+}
+
 const playground = await startPlayground(), server = await serve({ source: { folder: folder('web') } });
 await layers(playground, server);
 await longTasks(playground, 'auto');
 await longTasks(playground, ['boundary', 'cells', 'density', 'triangles', 'sizes', 'quads', 'quality', 'valence']);
+await dragging(playground);
 await playground.close();
 server.close();
