@@ -129,7 +129,7 @@ test('all of it by keyboard', async () => {
   await page.focus('#overlay-canvas');
   await page.keyboard.press('n');
   await page.keyboard.press('n');
-  assert.match(await page.textContent('.selection-section .hint'), /^Vertex 2 of 4/);
+  await page.locator('.selection-section .hint', { hasText: /^Vertex 2 of 4/ }).waitFor();
   await page.fill('.snap-section input', '0.01');
   await page.keyboard.press('Enter');
   await page.focus('#overlay-canvas');
