@@ -1,7 +1,6 @@
 #include "pipeline/mesher.h"
 
 #include <algorithm>
-#include <ctime>
 
 #include "cleanup/cleanup.h"
 #include "cleanup/smooth.h"
@@ -9,6 +8,7 @@
 #include "lpcvt/seeds.h"
 #include "pipeline/finish.h"
 #include "pipeline/shape_options.h"
+#include "pipeline/stage_timer.h"
 #include "recombine/recombine.h"
 #include "recombine/subdivide.h"
 
@@ -25,29 +25,6 @@ constexpr int smoothing_block = 100;
 constexpr double fine_rounding = 0.003;  // of the final smoothing, after a block of the coarse one
 constexpr double least_gain = 2e-4;      // of mean eta, that another block is worth
 constexpr int seeds_per_step = 50;
-
-// Adds the CPU time of a scope to the report, under one name per stage.
-class StageTimer {
- public:
-  StageTimer(Report& report, const char* stage)
-      : report_(report), stage_(stage), start_(std::clock()) {}
-  ~StageTimer() {
-    const double seconds = static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC;
-    for (StageTime& time : report_.times)
-      if (time.stage == stage_) {
-        time.cpu_seconds += seconds;
-        return;
-      }
-    report_.times.push_back({stage_, seconds});
-  }
-  StageTimer(const StageTimer&) = delete;
-  StageTimer& operator=(const StageTimer&) = delete;
-
- private:
-  Report& report_;
-  const char* stage_;
-  std::clock_t start_;
-};
 
 const char* seeds_name(Seeds seeds) { return seeds == Seeds::isotropic ? "isotropic" : "aligned"; }
 
@@ -90,7 +67,7 @@ Result<Mesher> Mesher::start(const DomainInput& input, const Options& options,
   Mesher mesher;
   mesher.options_ = options;
   {
-    const StageTimer timer(mesher.report_, "prepare");
+    const StageTimer timer(mesher.report_.times, "prepare");
     auto prepared = prepare(input, options, user);
     if (!prepared) return prepared.error();
     mesher.prepared_ = std::make_shared<const Preparation>(std::move(*prepared));
@@ -161,7 +138,7 @@ Result<Stage> Mesher::step(int iterations) {
 }
 
 Result<Stage> Mesher::make_seeds() {
-  const StageTimer timer(report_, "seeds");
+  const StageTimer timer(report_.times, "seeds");
   const BoundaryMesh& nodes = boundary();
   fields_ = attempt().size_factor == 1
                 ? std::shared_ptr<const Fields>(prepared_, &prepared_->fields)
@@ -211,7 +188,7 @@ Result<std::vector<Vec2>> Mesher::choose_seeds() const {
 }
 
 void Mesher::optimise(int iterations) {
-  const StageTimer timer(report_, "optimise");
+  const StageTimer timer(report_.times, "optimise");
   const LpStatus status = optimizer_->step(iterations);
   triangles_ = optimizer_->mesh();
   if (status == LpStatus::running) return;
@@ -223,7 +200,7 @@ void Mesher::optimise(int iterations) {
 }
 
 void Mesher::match() {
-  const StageTimer timer(report_, "match");
+  const StageTimer timer(report_.times, "match");
   report_.tau = tau(triangles_);
   stage_ = Stage::clean;
   if (trace_) {
@@ -265,7 +242,7 @@ int Mesher::smoothing() const {
 }
 
 void Mesher::clean() {
-  const StageTimer timer(report_, "clean");
+  const StageTimer timer(report_.times, "clean");
   CleanupOptions cleanup;
   if (for_shape()) {
     cleanup = cleanup_before_patches(options_);
@@ -286,7 +263,7 @@ void Mesher::clean() {
 }
 
 void Mesher::remesh_patches() {
-  const StageTimer timer(report_, "patch");
+  const StageTimer timer(report_.times, "patch");
   const bool more = patches_->step(seeds_per_step);
   if (!more || trace_) quads_ = patches_->mesh();  // who looks on sees the patches come
   if (more) return;
@@ -299,7 +276,7 @@ void Mesher::remesh_patches() {
 }
 
 void Mesher::smooth() {
-  const StageTimer timer(report_, "smooth");
+  const StageTimer timer(report_.times, "smooth");
   const int steps = std::min(smoothing_block, smoothing() - smoothed_);
   SmoothOptions options = shape_smoothing(options_);
   options.iterations = steps;
@@ -317,7 +294,7 @@ void Mesher::smooth() {
 }
 
 Result<Stage> Mesher::check() {
-  const StageTimer timer(report_, "check");
+  const StageTimer timer(report_.times, "check");
   const BoundaryMesh& nodes = boundary();
   output_ = to_output(quads_, prepared_->domain,
                       attempt().subdivide ? halve_edges(nodes, frame()) : nodes);
