@@ -50,7 +50,7 @@ void drop_unused_points(OutputMesh& mesh);
 /// A region's name, or "region 2" (1-based; "domain" if it is the only one) where it has none.
 std::string region_label(const OutputMesh& mesh, Index region);
 
-/// eta of a quad (mesh/quality.h); 0 for a triangle.
+/// eta of a quad (mesh/quality.h, in space shell/quality.h); 0 for a triangle.
 double output_eta(const OutputMesh& mesh, const Face& face);
 
 }  // namespace lpq

@@ -75,7 +75,7 @@ class BdfWriter {
     number(mesh_.points[v].x);
     number(mesh_.points[v].y);
     out_ += "\n*       ";
-    number(0);
+    number(mesh_.point(static_cast<Index>(v)).z);
     out_ += '\n';
   }
 

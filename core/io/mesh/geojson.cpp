@@ -52,7 +52,8 @@ class GeoJsonWriter {
     json_.end_object();
   }
   void position(Index v) {
-    const Vec2 p = mesh_.points[static_cast<std::size_t>(v)];
+    const Vec3 p = mesh_.point(v);
+    if (mesh_.in_space()) return json_.tuple(p.x, p.y, p.z);
     json_.tuple(p.x, p.y);
   }
   void name(const char* key, const std::vector<std::string>& names, Index i) {

@@ -18,7 +18,9 @@ constexpr std::size_t longest_label = 80, longest_number = 20;
 class InpWriter {
  public:
   InpWriter(const OutputMesh& mesh, InpElement element)
-      : mesh_(mesh), element_(element), model_(make_msh_model(mesh)) {}
+      : mesh_(mesh),
+        element_(mesh.in_space() ? InpElement::s4 : element),
+        model_(make_msh_model(mesh)) {}
 
   std::string write() {
     out_ = "*HEADING\nlpquad\n";
@@ -38,12 +40,19 @@ class InpWriter {
     out_ += "*NODE\n";
     for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
       integer(static_cast<std::int64_t>(v) + 1);
-      for (const double x : {mesh_.points[v].x, mesh_.points[v].y}) {
-        out_ += ", ";
-        append_number_field(out_, x, longest_number, "e");
+      coordinate(mesh_.points[v].x);
+      coordinate(mesh_.points[v].y);
+      if (mesh_.in_space()) {
+        coordinate(mesh_.z[v]);
+      } else if (element_ == InpElement::s4) {
+        out_ += ", 0.0";
       }
-      out_ += element_ == InpElement::s4 ? ", 0.0\n" : "\n";
+      out_ += '\n';
     }
+  }
+  void coordinate(double x) {
+    out_ += ", ";
+    append_number_field(out_, x, longest_number, "e");
   }
 
   std::string_view type(int corners) const {

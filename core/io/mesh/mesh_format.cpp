@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "io/mesh/bdf.h"
 #include "io/mesh/geojson.h"
 #include "io/mesh/mesh_json.h"
@@ -16,14 +17,14 @@
 namespace lpq {
 namespace {
 
-/// Calls visit(ending, format) in the order of the table until it returns true.
+/// Calls visit(ending, info) in the order of the table until it returns true.
 template <class Visit>
 void each_ending(Visit&& visit) {
   for (const MeshFormatInfo& info : mesh_formats) {
     std::string_view rest = info.endings;
     while (!rest.empty()) {
       const std::string_view ending = rest.substr(0, rest.find(' '));
-      if (visit(ending, info.format)) return;
+      if (visit(ending, info)) return;
       rest.remove_prefix(std::min(rest.size(), ending.size() + 1));
     }
   }
@@ -39,12 +40,13 @@ bool ends_with(std::string_view text, std::string_view ending) {
   return true;
 }
 
-}  // namespace
-
-std::string mesh_endings() {
+/// ".obj, .msh, ... or .json" of the formats that are wanted.
+template <class Wanted>
+std::string endings_of(Wanted&& wanted) {
   std::string text;
   std::size_t last_comma = 0;
-  each_ending([&](std::string_view ending, MeshFormat) {
+  each_ending([&](std::string_view ending, const MeshFormatInfo& info) {
+    if (!wanted(info)) return false;
     if (!text.empty()) {
       last_comma = text.size();
       text += ", ";
@@ -55,10 +57,26 @@ std::string mesh_endings() {
   return text.replace(last_comma, 1, " or");
 }
 
+}  // namespace
+
+std::string mesh_endings() {
+  return endings_of([](const MeshFormatInfo&) { return true; });
+}
+
+std::string shell_endings() {
+  return endings_of([](const MeshFormatInfo& info) { return info.in_space; });
+}
+
+bool is_shell_format(MeshFormat format) {
+  return std::any_of(mesh_formats.begin(), mesh_formats.end(), [&](const MeshFormatInfo& info) {
+    return info.format == format && info.in_space;
+  });
+}
+
 std::optional<MeshFormat> mesh_format(std::string_view file_name) {
   std::optional<MeshFormat> found;
-  each_ending([&](std::string_view ending, MeshFormat format) {
-    if (ends_with(file_name, ending)) found = format;
+  each_ending([&](std::string_view ending, const MeshFormatInfo& info) {
+    if (ends_with(file_name, ending)) found = info.format;
     return found.has_value();
   });
   return found;
@@ -71,6 +89,7 @@ std::optional<MeshFormat> mesh_format_by_name(std::string_view name) {
 }
 
 std::string write_mesh(const OutputMesh& mesh, MeshFormat format, const MeshWriteOptions& options) {
+  LPQ_ASSERT(!mesh.in_space() || is_shell_format(format));
   switch (format) {
     case MeshFormat::obj: return write_obj(mesh);
     case MeshFormat::msh: return write_msh(mesh, options.msh_version);

@@ -20,6 +20,7 @@ struct MeshFormatInfo {
   std::string_view name;     // for bindings: mesh_format_by_name
   std::string_view endings;  // of file names, the usual one first, separated by blanks
   std::string_view program;  // who reads it
+  bool in_space = true;      // holds meshes on surfaces too
 };
 
 /// Every format that can be written; help texts and error messages come from here.
@@ -29,15 +30,19 @@ inline constexpr std::array<MeshFormatInfo, 11> mesh_formats{
      {MeshFormat::vtu, "vtu", ".vtu", "VTK XML"},
      {MeshFormat::vtk, "vtk", ".vtk", "VTK legacy"},
      {MeshFormat::inp, "inp", ".inp", "Abaqus, CalculiX"},
-     {MeshFormat::su2, "su2", ".su2", "SU2"},
+     {MeshFormat::su2, "su2", ".su2", "SU2", false},
      {MeshFormat::bdf, "bdf", ".bdf .nas", "Nastran"},
      {MeshFormat::ply, "ply", ".ply", "Stanford PLY"},
      {MeshFormat::geojson, "geojson", ".geojson", "GeoJSON"},
-     {MeshFormat::svg, "svg", ".svg", "a picture"},
+     {MeshFormat::svg, "svg", ".svg", "a picture", false},
      {MeshFormat::json, "json", ".json", "plain arrays"}}};
 
 /// ".obj, .msh, ... or .json"
 std::string mesh_endings();
+/// Those that hold meshes on surfaces.
+std::string shell_endings();
+/// Can it hold a mesh on a surface?
+bool is_shell_format(MeshFormat format);
 
 /// By the file name's ending, upper or lower case.
 std::optional<MeshFormat> mesh_format(std::string_view file_name);
@@ -58,6 +63,7 @@ void each_field(O& o, F&& visit) {
                   "Elements of .inp files: plane stress, plane strain, axisymmetric or shell."});
 }
 
+/// A mesh in space needs a format that is_shell_format.
 std::string write_mesh(const OutputMesh& mesh, MeshFormat format,
                        const MeshWriteOptions& options = {});
 

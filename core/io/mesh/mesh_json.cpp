@@ -54,7 +54,14 @@ std::string write_mesh_json(const OutputMesh& mesh) {
   json.begin_object();
   json.key("points");
   json.begin_array();
-  for (const Vec2 p : mesh.points) json.tuple(p.x, p.y);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const Vec3 p = mesh.point(static_cast<Index>(v));
+    if (mesh.in_space()) {
+      json.tuple(p.x, p.y, p.z);
+    } else {
+      json.tuple(p.x, p.y);
+    }
+  }
   json.end_array();
   json.new_line();
   append_faces(json, mesh, 4, "quads", "quadRegion");

@@ -24,7 +24,7 @@ class MshWriter {
     line(mesh_.points.size());
     for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
       integer(v + 1);
-      coordinates(mesh_.points[v]);
+      coordinates(point(static_cast<Index>(v)));
     }
     text("$EndNodes\n$Elements\n");
     line(mesh_.tagged_points.size() + mesh_.edges.size() + mesh_.faces.size());
@@ -51,12 +51,14 @@ class MshWriter {
     (..., (append_integer(out_, static_cast<std::int64_t>(values)), out_ += ' '));
     out_.back() = '\n';
   }
-  void coordinates(Vec2 p) {
-    if (!out_.empty() && out_.back() != '\n') out_ += ' ';
-    append_number(out_, p.x);
-    out_ += ' ';
-    append_number(out_, p.y);
-    text(" 0\n");
+  void coordinates(Vec3 p) {
+    bool first = !out_.empty() && out_.back() == '\n';
+    for (const double x : {p.x, p.y, p.z}) {
+      if (!first) out_ += ' ';
+      append_number(out_, x);
+      first = false;
+    }
+    out_ += '\n';
   }
 
   void physical_names() {
@@ -120,25 +122,24 @@ class MshWriter {
   // --- version 4.1: nodes and elements come in blocks, one per entity
 
   struct Box {
-    Vec2 lo{0, 0}, hi{0, 0};
+    Vec3 lo, hi;
     bool empty = true;
-    void add(Vec2 p) {
+    void add(Vec3 p) {
       if (empty) lo = hi = p;
       empty = false;
-      lo = {p.x < lo.x ? p.x : lo.x, p.y < lo.y ? p.y : lo.y};
-      hi = {p.x > hi.x ? p.x : hi.x, p.y > hi.y ? p.y : hi.y};
+      lo = {p.x < lo.x ? p.x : lo.x, p.y < lo.y ? p.y : lo.y, p.z < lo.z ? p.z : lo.z};
+      hi = {p.x > hi.x ? p.x : hi.x, p.y > hi.y ? p.y : hi.y, p.z > hi.z ? p.z : hi.z};
     }
   };
   void bounding_box(const Box& box) {
-    for (const Vec2 p : {box.lo, box.hi}) {
-      text(" ");
-      append_number(out_, p.x);
-      text(" ");
-      append_number(out_, p.y);
-      text(" 0");
+    for (const Vec3 p : {box.lo, box.hi}) {
+      for (const double x : {p.x, p.y, p.z}) {
+        text(" ");
+        append_number(out_, x);
+      }
     }
   }
-  Vec2 point(Index v) const { return mesh_.points[static_cast<std::size_t>(v)]; }
+  Vec3 point(Index v) const { return mesh_.point(v); }
 
   void entities() {
     const std::size_t surfaces = model_.surface_names.size();
@@ -146,12 +147,12 @@ class MshWriter {
     line(mesh_.tagged_points.size(), model_.curves.size(), surfaces, 0);
     for (std::size_t p = 0; p < mesh_.tagged_points.size(); ++p) {
       integer(p + 1);
-      const Vec2 at = point(mesh_.tagged_points[p].point);
-      text(" ");
-      append_number(out_, at.x);
-      text(" ");
-      append_number(out_, at.y);
-      text(" 0 1 ");
+      const Vec3 at = point(mesh_.tagged_points[p].point);
+      for (const double x : {at.x, at.y, at.z}) {
+        text(" ");
+        append_number(out_, x);
+      }
+      text(" 1 ");
       line(model_.point_physical[p]);
     }
     for (std::size_t c = 0; c < model_.curves.size(); ++c) curve_entity(c);

@@ -10,14 +10,14 @@
 namespace lpq {
 namespace {
 
-void append_vertices(std::string& out, const std::vector<Vec2>& points) {
-  for (const Vec2 p : points) {
-    out += "v ";
-    append_number(out, p.x);
-    out += ' ';
-    append_number(out, p.y);
-    out += " 0\n";
-  }
+void append_vertex(std::string& out, Vec3 p) {
+  out += "v ";
+  append_number(out, p.x);
+  out += ' ';
+  append_number(out, p.y);
+  out += ' ';
+  append_number(out, p.z);
+  out += '\n';
 }
 
 template <std::size_t N>
@@ -35,7 +35,8 @@ void append_face(std::string& out, const std::array<Index, N>& face) {
 
 std::string write_obj(const OutputMesh& mesh) {
   std::string out = "# lpquad\n";
-  append_vertices(out, mesh.points);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    append_vertex(out, mesh.point(static_cast<Index>(v)));
   // Faces keep their order: a new `g` line wherever the region changes.
   Index group = none;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -52,7 +53,7 @@ std::string write_obj(const OutputMesh& mesh) {
 
 std::string write_obj(const TriMesh& mesh) {
   std::string out = "# lpquad\n";
-  append_vertices(out, mesh.points);
+  for (const Vec2 p : mesh.points) append_vertex(out, {p.x, p.y, 0});
   for (const Tri& triangle : mesh.triangles) append_face(out, triangle);
   return out;
 }

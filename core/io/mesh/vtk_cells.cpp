@@ -22,11 +22,14 @@ void append_vtk_names(std::string& out, const std::vector<std::string>& names) {
 }
 
 void append_vtk_points(std::string& out, const OutputMesh& mesh) {
-  for (const Vec2 p : mesh.points) {
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const Vec3 p = mesh.point(static_cast<Index>(v));
     append_number(out, p.x);
     out += ' ';
     append_number(out, p.y);
-    out += " 0\n";
+    out += ' ';
+    append_number(out, p.z);
+    out += '\n';
   }
 }
 

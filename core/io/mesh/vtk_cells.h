@@ -47,7 +47,7 @@ void each_vtk_cell(const OutputMesh& mesh, Visit&& visit) {
 std::size_t vtk_names_size(const std::vector<std::string>& names);
 void append_vtk_names(std::string& out, const std::vector<std::string>& names);
 
-/// x y 0, one point a line.
+/// x y z, one point a line.
 void append_vtk_points(std::string& out, const OutputMesh& mesh);
 
 }  // namespace lpq
