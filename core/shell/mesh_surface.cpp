@@ -3,15 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <optional>
 
+#include "base/hash.h"
 #include "numerics/elementary.h"
+#include "pipeline/stage_timer.h"
 #include "shell/check.h"
 #include "shell/mesh_charts.h"
 #include "shell/quality.h"
 #include "surface/components.h"
 #include "surface/corners.h"
+#include "surface/repair_warnings.h"
 #include "surface/size_field.h"
 
 namespace lpq {
@@ -29,11 +31,7 @@ class SurfaceRun {
 
   Result<ShellOutcome> run(SurfaceSoup soup) {
     if (const auto ranges = check_ranges(options_); !ranges) return ranges.error();
-    outcome_.report.warnings = soup.warnings;
-    auto repaired = repair_surface(std::move(soup), {.weld = options_.weld});
-    if (!repaired) return repaired.error();
-    outcome_.surface = std::move(repaired->mesh);
-    outcome_.report.repair = repaired->report;
+    if (auto error = repair(std::move(soup))) return *error;
     if (auto error = find_lines()) return *error;
     if (auto error = make_fields_and_charts()) return *error;
     for (;; ++outcome_.report.rounds) {
@@ -52,10 +50,26 @@ class SurfaceRun {
  private:
   const SurfaceMesh& surface() const { return outcome_.surface; }
 
+  StageTimer timed(const char* stage) { return {outcome_.report.times, stage}; }
   bool stopped(const char* stage) { return !monitor_({.stage = stage}); }
   static Error cancelled() { return {ErrorCode::cancelled, "The run was cancelled.", {}}; }
 
+  std::optional<Error> repair(SurfaceSoup soup) {
+    const StageTimer timer = timed("repair");
+    std::vector<Warning>& warnings = outcome_.report.warnings;
+    warnings = std::move(soup.warnings);
+    auto repaired = repair_surface(std::move(soup), {.weld = options_.weld});
+    if (!repaired) return repaired.error();
+    outcome_.surface = std::move(repaired->mesh);
+    outcome_.group_names = std::move(repaired->group_names);
+    outcome_.report.repair = repaired->report;
+    for (Warning& warning : repair_warnings(repaired->report))
+      warnings.push_back(std::move(warning));
+    return std::nullopt;
+  }
+
   std::optional<Error> find_lines() {
+    const StageTimer timer = timed("features");
     double& h = outcome_.report.target_size;
     double area = 0;
     for (const auto& [a, b, c] : surface().triangles)
@@ -87,8 +101,12 @@ class SurfaceRun {
 
   std::optional<Error> make_fields_and_charts() {
     if (stopped("field")) return cancelled();
-    cross_ = solve_surface_cross(surface(), feature_);
+    {
+      const StageTimer timer = timed("field");
+      cross_ = solve_surface_cross(surface(), feature_);
+    }
     if (stopped("charts")) return cancelled();
+    const StageTimer timer = timed("charts");
     atlas_ = make_charts(surface(), feature_);
     lines_ = features_;
     std::vector<char> line(feature_.size());
@@ -110,6 +128,7 @@ class SurfaceRun {
   }
 
   Result<MeshedCharts> mesh_once() {
+    const StageTimer timer = timed("mesh");
     mark_corners(surface(), size_, FeatureOptions{}.corner_angle, lines_);
     curves_ = trace_curves(surface(), lines_);
     auto nodes = mesh_curves(surface(), lines_, curves_, size_);
@@ -139,21 +158,51 @@ class SurfaceRun {
   Result<ShellOutcome> finish() {
     ShellReport& report = outcome_.report;
     if (stopped("seams")) return cancelled();
-    report.seams = finish_seams(charted(), chart_options(options_), outcome_.mesh);
+    {
+      const StageTimer timer = timed("seams");
+      report.seams = finish_seams(charted(), chart_options(options_), outcome_.mesh);
+    }
+    if (auto error = check()) return *error;
+    count_lines();
+    find_face_groups();
+    report.charts = static_cast<Index>(atlas_.charts.size());
+    report.chart_counts = atlas_.counts;
+    report.singularities = cross_.singularities;
+    report.quality = shell_quality(outcome_.mesh);
+    report.size = shell_size_fidelity(outcome_.mesh, surface().triangles, size_);
+    Fnv1a hash;
+    hash.add(std::span<const Vec3>(outcome_.mesh.points));
+    hash.add(std::span<const Face>(outcome_.mesh.faces));
+    report.hash = hash.value();
+    return std::move(outcome_);
+  }
+
+  std::optional<Error> check() {
+    const StageTimer timer = timed("check");
     if (const auto wrong = check_shell(surface(), outcome_.mesh); !wrong.empty())
       return Error{ErrorCode::no_valid_mesh, "No valid mesh was found: " + wrong.front().what, {}};
+    return std::nullopt;
+  }
+
+  void count_lines() {
+    ShellReport& report = outcome_.report;
     for (Index edge = 0; edge < features_.edges.count(); ++edge)
       report.feature_edges += features_.is_feature(edge);
     report.corners =
         static_cast<Index>(std::count(features_.corner.begin(), features_.corner.end(), 1));
     report.curves = trace_curves(surface(), features_).count();
     report.faces = features_.face_count;
-    report.charts = static_cast<Index>(atlas_.charts.size());
-    report.chart_counts = atlas_.counts;
-    report.singularities = cross_.singularities;
-    report.quality = shell_quality(outcome_.mesh);
-    report.size = shell_size_fidelity(outcome_.mesh, surface().triangles, size_);
-    return std::move(outcome_);
+  }
+
+  void find_face_groups() {
+    constexpr Index unseen = -2;
+    std::vector<Index>& groups = outcome_.face_group;
+    groups.assign(features_.face_count, unseen);
+    for (Index t = 0; t < surface().triangle_count(); ++t) {
+      Index& group = groups[features_.face[t]];
+      if (group == unseen) group = surface().group[t];
+      if (group != surface().group[t]) group = none;
+    }
   }
 
   const SurfaceOptions& options_;

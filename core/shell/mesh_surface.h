@@ -3,6 +3,7 @@
 // for all.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/monitor.h"
@@ -35,6 +36,8 @@ struct ShellReport {
 struct ShellOutcome {
   SurfaceMesh surface;  // as repaired
   ShellMesh mesh;
+  std::vector<std::string> group_names;  // of surface.group
+  std::vector<Index> face_group;         // group of each face of the surface; none: of several
   ShellReport report;
 };
 
