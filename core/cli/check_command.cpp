@@ -9,7 +9,7 @@
 #include "io/domain/domain_format.h"
 #include "io/mesh/mesh_format.h"
 #include "io/number.h"
-#include "io/report.h"
+#include "io/report_parts.h"
 #include "mesh/validate.h"
 
 namespace lpq {

@@ -3,16 +3,12 @@
 
 #include <string>
 
+#include "io/report_parts.h"
 #include "mesh/output_mesh.h"
-#include "mesh/quality.h"
 #include "pipeline/options.h"
 #include "pipeline/report.h"
 
 namespace lpq {
-
-struct ReportFormat {
-  bool times = true;  // off: the same run gives the same bytes
-};
 
 /// One object: counts, quality, energies, times, warnings and the options it ran with.
 std::string write_report_json(const Report& report, const OutputMesh& mesh, const Options& options,
@@ -20,8 +16,5 @@ std::string write_report_json(const Report& report, const OutputMesh& mesh, cons
 
 /// A dozen lines for a terminal.
 std::string report_text(const Report& report, const OutputMesh& mesh);
-
-/// Its part on quality alone: "quads 1600, ...".
-std::string quality_text(const QuadQuality& quality);
 
 }  // namespace lpq

@@ -26,6 +26,19 @@ Error unknown_node(const MshElement& element, std::int64_t tag) {
 
 }  // namespace
 
+bool has_faces_in_space(std::string_view text) {
+  const auto content = parse_msh(text, MshScope::space);
+  if (!content) return false;
+  for (const MshElement& element : content->elements) {
+    if (element.size < 3) continue;
+    for (int k = 0; k < element.size; ++k) {
+      const Index node = content->node_index(element.nodes[static_cast<std::size_t>(k)]);
+      if (node != none && content->nodes[static_cast<std::size_t>(node)].point.z != 0) return true;
+    }
+  }
+  return false;
+}
+
 Result<SurfaceSoup> read_msh_surface(std::string_view text) {
   const auto content = parse_msh(text, MshScope::space);
   if (!content) return content.error();

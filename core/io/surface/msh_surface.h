@@ -14,4 +14,7 @@ namespace lpq {
 /// byte; empty without a triangle or quad.
 Result<SurfaceSoup> read_msh_surface(std::string_view text);
 
+/// Does a triangle or quad have a corner with z other than 0? False for what cannot be read.
+bool has_faces_in_space(std::string_view text);
+
 }  // namespace lpq

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "io/domain/domain_format.h"
 #include "io/surface/msh_surface.h"
 #include "io/surface/obj_surface.h"
 #include "io/surface/off_surface.h"
@@ -61,6 +62,15 @@ std::optional<SurfaceFormat> surface_format_by_content(std::string_view bytes) {
   if (same_letters(rest.substr(0, 5), "solid")) return SurfaceFormat::stl;
   if (starts_like_off(rest)) return SurfaceFormat::off;
   return starts_like_obj(rest) ? std::optional(SurfaceFormat::obj) : std::nullopt;
+}
+
+bool is_surface_file(std::string_view file_name, std::string_view bytes) {
+  auto format = surface_format_by_ending(file_name);
+  if (!format && !domain_format_by_ending(file_name)) {
+    format = surface_format_by_content(bytes);
+    if (format != SurfaceFormat::msh && domain_format_by_content(bytes)) return false;
+  }
+  return format && (*format != SurfaceFormat::msh || has_faces_in_space(bytes));
 }
 
 Result<SurfaceSoup> read_surface(std::string_view bytes, SurfaceFormat format) {

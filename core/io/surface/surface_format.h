@@ -33,6 +33,10 @@ std::optional<SurfaceFormat> surface_format_by_ending(std::string_view file_name
 /// By the first bytes; OBJ by its first line that is no comment.
 std::optional<SurfaceFormat> surface_format_by_content(std::string_view bytes);
 
+/// Is it a surface rather than a domain in the plane? By the file name's ending; a .msh file is one
+/// if a face of it leaves the plane z = 0. Where the ending says nothing, by the content.
+bool is_surface_file(std::string_view file_name, std::string_view bytes);
+
 /// Errors: those of the reader; see its header.
 Result<SurfaceSoup> read_surface(std::string_view bytes, SurfaceFormat format);
 

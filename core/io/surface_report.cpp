@@ -1,0 +1,89 @@
+// See surface_report.h.
+#include "io/surface_report.h"
+
+namespace lpq {
+namespace {
+
+void append_counts(JsonWriter& json, const ShellOutcome& outcome) {
+  const ShellReport& report = outcome.report;
+  json.member("vertices", outcome.mesh.points.size());
+  json.member("quads", report.quality.quads);
+  json.member("triangles", report.quality.triangles);
+  json.member("faces", report.faces);
+  json.member("curves", report.curves);
+  json.member("corners", report.corners);
+  json.member("featureEdges", report.feature_edges);
+  json.member("charts", report.charts);
+  json.member("singularities", report.singularities.size());
+  json.member("rounds", report.rounds);
+  json.member("windowsOpened", report.seams.windows);
+  json.member("windowsAccepted", report.seams.accepted);
+  json.member("targetSize", report.target_size);
+  json.member("hash", hash_text(report.hash));
+}
+
+void append_repairs(JsonWriter& json, const RepairReport& repair) {
+  json.key("repairs");
+  json.begin_object();
+  json.member("pointsGiven", repair.points_given);
+  json.member("trianglesGiven", repair.triangles_given);
+  json.member("weldedPoints", repair.welded_points);
+  json.member("unusedPoints", repair.unused_points);
+  json.member("collapsedTriangles", repair.collapsed_triangles);
+  json.member("duplicateTriangles", repair.duplicate_triangles);
+  json.member("flatTriangles", repair.flat_triangles);
+  json.member("dividedTriangles", repair.divided_triangles);
+  json.member("flatLeft", repair.flat_left);
+  json.member("turnedTriangles", repair.turned_triangles);
+  json.member("components", repair.components);
+  json.member("borderEdges", repair.border_edges);
+  json.member("nonmanifoldEdges", repair.nonmanifold_edges);
+  json.member("conflictEdges", repair.conflict_edges);
+  json.member("nonmanifoldVertices", repair.nonmanifold_vertices);
+  json.end_object();
+}
+
+}  // namespace
+
+std::string write_surface_report_json(const ShellOutcome& outcome, const SurfaceOptions& options,
+                                      const ReportFormat& format) {
+  const ShellReport& report = outcome.report;
+  std::string out;
+  JsonWriter json(out);
+  json.begin_object();
+  append_counts(json, outcome);
+  json.new_line();
+  append_quality(json, report.quality);
+  json.new_line();
+  append_size(json, report.size);
+  json.new_line();
+  append_repairs(json, report.repair);
+  json.new_line();
+  append_options(json, options);
+  json.new_line();
+  if (format.times) append_times(json, report.times);
+  append_warnings(json, report.warnings);
+  json.end_object();
+  out += '\n';
+  return out;
+}
+
+std::string surface_report_text(const ShellOutcome& outcome) {
+  const ShellReport& report = outcome.report;
+  std::string out = quality_text(report.quality) + size_text(report.size);
+  append_row(out, "vertices",
+             Facts()
+                 .count("", static_cast<std::int64_t>(outcome.mesh.points.size()))
+                 .count("singularities", static_cast<std::int64_t>(report.singularities.size()))
+                 .text());
+  append_row(out, "surface",
+             Facts()
+                 .count("triangles", outcome.surface.triangle_count())
+                 .count("faces", report.faces)
+                 .count("curves", report.curves)
+                 .count("charts", report.charts)
+                 .text());
+  return out + end_text(report.times, report.warnings);
+}
+
+}  // namespace lpq
