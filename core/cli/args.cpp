@@ -81,6 +81,8 @@ class ArgParser {
     if (!error_.empty()) return usage(error_);
     return 0;
   }
+  /// The options that were there, by their flags.
+  const std::vector<std::string>& given() const { return given_; }
 
  private:
   template <class... Tables>
@@ -92,11 +94,16 @@ class ArgParser {
     inline_ = has_inline_ ? arg.substr(equals + 1) : std::string_view();
     bool found = false;
     std::vector<std::string> names{"--help"};
+    // Tables may share an option; all of them get its value.
+    const std::size_t value_at = next_;
     const auto try_field = [&](const char* name, auto& member, const FieldInfo& info) {
       names.push_back(option_flag(name));
-      if (found || names.back() != flag) return;
+      const bool is_negated = negates(flag, names.back(), member);
+      if (!error_.empty() || (names.back() != flag && !is_negated)) return;
+      if (!found) given_.push_back(names.back());
       found = true;
-      set_member(names.back(), member, info);
+      next_ = value_at;
+      set_member(std::string(flag), !is_negated, member, info);
     };
     (..., each_field(tables, try_field));
     if (found) return;
@@ -105,10 +112,17 @@ class ArgParser {
     if (!nearest.empty()) error_ += " Did you mean " + nearest + "?";
   }
 
+  /// "--no-quiet" and "--quiet"
   template <class Member>
-  void set_member(const std::string& flag, Member& member, const FieldInfo& info) {
+  static bool negates(std::string_view flag, std::string_view name, const Member&) {
+    return std::is_same_v<Member, bool> && flag.substr(0, 5) == "--no-" &&
+           flag.substr(5) == name.substr(2);
+  }
+
+  template <class Member>
+  void set_member(const std::string& flag, bool is_on, Member& member, const FieldInfo& info) {
     if constexpr (std::is_same_v<Member, bool>) {
-      member = true;
+      member = is_on;
       if (has_inline_) error_ = "Option " + flag + " takes no value.";
     } else {
       if (!has_inline_ && next_ == args_.size()) {
@@ -126,6 +140,7 @@ class ArgParser {
   std::size_t next_ = 0;
   std::string_view inline_;  // of --name=value
   bool has_inline_ = false;
+  std::vector<std::string> given_;
   std::string error_;
 };
 
@@ -146,9 +161,11 @@ std::string option_flag(std::string_view name) {
 
 Result<MeshArgs> parse_mesh_args(std::span<const std::string_view> args) {
   MeshArgs result;
-  const auto parsed =
-      ArgParser(args).parse(result.inputs, result.help, result.files, result.options);
+  ArgParser parser(args);
+  const auto parsed = parser.parse(result.inputs, result.help, result.files, result.options,
+                                   result.surface_options);
   if (!parsed) return parsed.error();
+  result.given = parser.given();
   return result;
 }
 

@@ -1,5 +1,6 @@
-// Arguments to values. The mesher's options come from its option table (pipeline/options.h), the
-// rest - files and how to print - from a second table of the same kind.
+// Arguments to values. The mesher's options come from its option tables (pipeline/options.h, for
+// surfaces shell/options.h), the rest - files and how to print - from a second table of the same
+// kind.
 #pragma once
 
 #include <span>
@@ -10,6 +11,7 @@
 #include "base/result.h"
 #include "io/mesh/mesh_format.h"
 #include "pipeline/options.h"
+#include "shell/options.h"
 
 namespace lpq {
 
@@ -53,6 +55,8 @@ struct MeshArgs {
   std::vector<std::string> inputs;
   MeshFiles files;
   Options options;
+  SurfaceOptions surface_options;
+  std::vector<std::string> given;  // flags of the options, as in "--size"
   bool help = false;
 };
 
@@ -65,8 +69,19 @@ struct CheckArgs {
 /// "keepBoundary" -> "--keep-boundary"
 std::string option_flag(std::string_view name);
 
+/// Is the flag one of a table's options?
+template <class Table>
+bool has_option(const Table& table, std::string_view flag) {
+  bool found = false;
+  each_field(table, [&](const char* name, const auto&, const FieldInfo&) {
+    found = found || option_flag(name) == flag;
+  });
+  return found;
+}
+
 /// Options may stand anywhere, as `--name value` or `--name=value`; `-o` is --output, `-h` is
-/// --help; after `--` everything is an input. Errors: bad_option, with the nearest name where an
+/// --help; `--no-name` sets a flag to false; after `--` everything is an input. An option that
+/// domains and surfaces share is set for both. Errors: bad_option, with the nearest name where an
 /// option does not exist.
 Result<MeshArgs> parse_mesh_args(std::span<const std::string_view> args);
 Result<CheckArgs> parse_check_args(std::span<const std::string_view> args);

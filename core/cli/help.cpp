@@ -61,12 +61,23 @@ std::string default_text(const T& value) {
   return text.empty() ? text : " (" + text + ")";
 }
 
-template <class Table>
-void append_options(std::string& out, const Table& table) {
+/// "-o, --output", "--[no-]keep-groups" for what is on by itself
+template <class T>
+std::string flag_text(const std::string& flag, const T& value) {
+  if constexpr (std::is_same_v<T, bool>)
+    if (value) return "--[no-]" + flag.substr(2);
+  return flag == "--output" ? "-o, " + flag : flag;
+}
+
+bool every_option(const std::string&) { return true; }
+
+template <class Table, class Wanted>
+void append_options(std::string& out, const Table& table, Wanted&& wanted) {
   constexpr std::size_t column = 34;
   each_field(table, [&](const char* name, const auto& value, const FieldInfo& info) {
     const std::string flag = option_flag(name);
-    std::string head = flag == "--output" ? "  -o, " + flag : "  " + flag;
+    if (!wanted(flag)) return;
+    std::string head = "  " + flag_text(flag, value);
     const std::string argument = value_name(value, info);
     if (!argument.empty()) head += " " + argument;
     out += head;
@@ -80,12 +91,26 @@ void append_options(std::string& out, const Table& table) {
   });
 }
 
+/// Shared options are described once, with the domains.
+void append_surface_options(std::string& out) {
+  const Options planar;
+  const SurfaceOptions surface;
+  std::string shared;
+  each_field(surface, [&](const char* name, const auto&, const FieldInfo&) {
+    const std::string flag = option_flag(name);
+    if (has_option(planar, flag)) shared += (shared.empty() ? "" : ", ") + flag;
+  });
+  out += "\nSurfaces\n  ";
+  append_wrapped(out, "Of the options above, surfaces know " + shared + "; and their own:", 2);
+  append_options(out, surface, [&](const std::string& flag) { return !has_option(planar, flag); });
+}
+
 }  // namespace
 
 std::string general_help() {
-  return "lpquad - quadrilateral meshes of plane domains\n"
+  return "lpquad - quadrilateral meshes of plane domains and of surfaces\n"
          "\n"
-         "  lpquad mesh DOMAIN... -o MESH         mesh domains\n"
+         "  lpquad mesh DOMAIN... -o MESH         mesh domains and surfaces\n"
          "  lpquad check MESH [--domain DOMAIN]   judge a mesh\n"
          "  lpquad COMMAND --help                 all options of a command\n"
          "  lpquad --version\n"
@@ -98,13 +123,15 @@ std::string mesh_help() {
   std::string out =
       "lpquad mesh DOMAIN... -o MESH [options]\n"
       "\n"
-      "Meshes each domain: .json, .geojson, .svg, .poly (Triangle), .msh (Gmsh) or .dxf; '-' reads\n"
-      "it from standard input. With several inputs the names of output files contain {}, which\n"
-      "stands for the input's name, or -o is a folder.\n"
+      "Meshes each domain: .json, .geojson, .svg, .poly (Triangle), .msh (Gmsh) or .dxf; and each\n"
+      "surface: .stl, .obj, .off, .ply, or .msh with triangles in space. '-' reads from standard\n"
+      "input. With several inputs the names of output files contain {}, which stands for the\n"
+      "input's name, or -o is a folder.\n"
       "\nFiles\n";
-  append_options(out, MeshFiles{});
+  append_options(out, MeshFiles{}, every_option);
   out += "\nMethod\n";
-  append_options(out, Options{});
+  append_options(out, Options{}, every_option);
+  append_surface_options(out);
   return out;
 }
 
@@ -115,7 +142,7 @@ std::string check_help() {
       "Proves with exact arithmetic that every face is strictly convex, that faces meet edge to\n"
       "edge, and prints the quality. Exit code 0: valid, 1: invalid, 3: cannot be read.\n"
       "\n";
-  append_options(out, CheckFiles{});
+  append_options(out, CheckFiles{}, every_option);
   return out;
 }
 

@@ -10,11 +10,13 @@
 #include "cli/help.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
+#include "cli/surface_command.h"
 #include "io/domain/domain_format.h"
 #include "io/error_text.h"
+#include "io/picture/svg.h"
 #include "io/report.h"
 #include "io/stages.h"
-#include "io/picture/svg.h"
+#include "io/surface/surface_format.h"
 #include "pipeline/mesher.h"
 
 namespace lpq {
@@ -42,7 +44,17 @@ class Run {
   int operator()() {
     const auto text = read_file(files_.input);
     if (!text) return fail(text.error(), exit_bad_input);
-    const auto file = read_domain_file(files_.input, *text);
+    const bool is_surface = is_surface_file(files_.input, *text);
+    if (const auto wrong = misplaced_option(files_, args_, is_surface)) return fail(*wrong);
+    return is_surface ? surface(*text) : domain(*text);
+  }
+
+  /// Prints the error; with --report it is also written as JSON.
+  int fail(const Error& error) { return fail(error, exit_code(error.code)); }
+
+ private:
+  int domain(const std::string& text) {
+    const auto file = read_domain_file(files_.input, text);
     if (!file) return fail(file.error());
     Trace trace;
     auto outcome = mesh(file->domain, files_.stages.empty() ? nullptr : &trace);
@@ -52,14 +64,22 @@ class Run {
     Writer writer;
     write_results(writer, *outcome, trace);
     if (writer.failure()) return fail(*writer.failure());
-    if (!args_.files.quiet) print_summary(*outcome);
+    if (!args_.files.quiet) print_summary(report_text(outcome->report, outcome->mesh));
     return exit_done;
   }
 
-  /// Prints the error; with --report it is also written as JSON.
-  int fail(const Error& error) { return fail(error, exit_code(error.code)); }
+  int surface(const std::string& text) {
+    std::string summary;
+    {
+      ProgressLine progress(streams_, !args_.files.quiet);
+      auto done = mesh_surface_file(files_, args_, text, progress.monitor());
+      if (!done) return fail(done.error());
+      summary = std::move(*done);
+    }
+    if (!args_.files.quiet) print_summary(summary);
+    return exit_done;
+  }
 
- private:
   int fail(const Error& error, int code) {
     print_error(streams_, files_.input, error);
     if (!files_.report.empty()) {
@@ -90,10 +110,10 @@ class Run {
     }
   }
 
-  void print_summary(const Outcome& outcome) const {
+  void print_summary(const std::string& report) const {
     std::string text;
     if (args_.inputs.size() > 1) text += files_.input + "\n";
-    text += report_text(outcome.report, outcome.mesh);
+    text += report;
     for (const std::string* name : {&files_.output, &files_.svg, &files_.report, &files_.stages}) {
       if (!name->empty()) text += "wrote         " + *name + "\n";
     }

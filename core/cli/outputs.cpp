@@ -41,6 +41,20 @@ std::string first_repeated(const std::vector<RunFiles>& runs) {
   return repeated == names.end() ? std::string() : *repeated;
 }
 
+/// A folder of .obj surfaces as -o would replace them by their meshes.
+std::string first_overwritten(const std::vector<RunFiles>& runs) {
+  const auto plain = [](const std::string& name) {
+    return std::filesystem::path(name).lexically_normal();
+  };
+  std::vector<std::filesystem::path> inputs;
+  for (const RunFiles& run : runs) inputs.push_back(plain(run.input));
+  std::sort(inputs.begin(), inputs.end());
+  for (const RunFiles& run : runs)
+    for (const std::string* name : {&run.output, &run.report, &run.svg})
+      if (std::binary_search(inputs.begin(), inputs.end(), plain(*name))) return *name;
+  return {};
+}
+
 }  // namespace
 
 Result<std::vector<RunFiles>> plan_files(const MeshArgs& args) {
@@ -72,6 +86,9 @@ Result<std::vector<RunFiles>> plan_files(const MeshArgs& args) {
     return usage("'" + repeated +
                  "' would be written twice. With several inputs, put {} into the names.");
   }
+  const std::string overwritten = first_overwritten(runs);
+  if (!overwritten.empty())
+    return usage("'" + overwritten + "' is an input, and would be overwritten.");
   return runs;
 }
 
