@@ -213,3 +213,21 @@ TEST_CASE("every format is written twice alike") {
   for (const MeshFormatInfo& info : mesh_formats)
     CHECK(write_mesh(mesh, info.format) == write_mesh(mesh, info.format));
 }
+
+TEST_CASE("a mesh with heights has them in every format that can hold them") {
+  OutputMesh mesh = named_mesh({"a", "b", "c", "d", "e"});
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    mesh.z.push_back(3.25 + 0.5 * static_cast<double>(v));
+  for (const MeshFormatInfo& info : mesh_formats) {
+    INFO(info.name);
+    CHECK(is_shell_format(info.format) == info.in_space);
+    if (!info.in_space) continue;
+    const std::string text = write_mesh(mesh, info.format);
+    for (const char* height : {"3.25", "3.75", "6.75"}) CHECK(has(text, height));
+    CHECK(shell_endings().find(std::string(info.endings.substr(0, 4))) != std::string::npos);
+  }
+  CHECK_FALSE(is_shell_format(MeshFormat::su2));
+  CHECK_FALSE(is_shell_format(MeshFormat::svg));
+  CHECK(has(write_msh(mesh, MshVersion::v2_2), " 3.75\n"));
+  CHECK(has(write_inp(mesh, InpElement::cps4), "TYPE=S4"));
+}
