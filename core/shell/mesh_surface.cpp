@@ -174,6 +174,11 @@ class SurfaceRun {
     hash.add(std::span<const Vec3>(outcome_.mesh.points));
     hash.add(std::span<const Face>(outcome_.mesh.faces));
     report.hash = hash.value();
+    if (const Index bent = report.quality.nonconvex; bent > 0)
+      report.warnings.push_back(
+          {ErrorCode::no_valid_mesh,
+           "Not all quads are convex: " + std::to_string(bent) + ". A smaller size may help.",
+           {}});
     return std::move(outcome_);
   }
 
