@@ -203,12 +203,13 @@ test('guides are followed, given with the call or with the domain', async () => 
   same(square, { guides: [Float64Array.from(guide.flat())] });
   same({ ...square, guides: [guide] }, {});
   same({ ...square, guides: [[[0, 0], [1, 1]]] }, { guides: [guide] });
-  same({ ...square, guides: [guide], sizes: [[0.5, 0.5, 0.04]] }, { sizes: [0.5, 0.5, 0.04] });
   const domain = { ...square, guides: [guide], sizes: [[0.5, 0.5, 0.01]] };
   const read = await lpquad.readDomain(JSON.stringify(domain));
   assert.deepEqual(read.guides, domain.guides);
   assert.deepEqual(read.sizes, domain.sizes);
   assert.equal(meshHash(lpquad.meshDomain(read, { size: 0.04 })), meshHash(lpquad.meshDomain(domain, { size: 0.04 })));
+  const both = { size: 0.04, guides: [guide], sizes: [0.5, 0.5, 0.01] };
+  assert.equal(meshHash(lpquad.meshDomain(square, both)), meshHash(lpquad.meshDomain(read, { size: 0.04 })));
   const session = lpquad.start(square, { size: 0.04, guides: [guide] });
   assert.equal(meshHash(session.finish()), meshHash(mesh));
   session.dispose();
