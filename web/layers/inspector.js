@@ -15,6 +15,8 @@ const directions = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], Ar
 export class Inspector {
   /** @type {Element | null} */
   #element = null;
+  /** Where the element is that was last found; a pin waits there while no layer shows anything. @type {Point | null} */
+  #at = null;
   #pinned = false;
   /** @type {Point | null} */
   #pointer = null;  // in pixels
@@ -36,9 +38,10 @@ export class Inspector {
 
   /** @param {Element | null} element  @param {boolean} [pinned] */
   show(element, pinned = false) {
-    if (element === null && this.#element === null) return;
+    if (element === null && this.#at === null) return;
     const before = this.#pinned;
     this.#element = element;
+    this.#at = element && element.at;
     this.#pinned = element !== null && pinned;
     this.#fill();
     this.app.stage.invalidate('overlay');
@@ -65,7 +68,7 @@ export class Inspector {
 
   /** What is in the middle of the view, or nothing more. */
   toggle() {
-    if (this.#pinned) return this.show(null);
+    if (this.#pinned && this.#element) return this.show(null);
     const { view } = this.app.stage, scene = this.app.scene();
     const places = spiral(view);
     const found = firstOf(places, (at) => faceAt(scene, at))
@@ -89,11 +92,11 @@ export class Inspector {
 
   /** The frame or the layers changed: what is at the same place now? */
   refresh() {
-    if (this.#element === null) return;
-    const scene = this.app.scene(), { at, kind } = this.#element;
+    if (this.#at === null) return;
+    const scene = this.app.scene(), kind = this.#element?.kind ?? 'place';
     const small = kind === 'vertex' || kind === 'edge' || kind === 'singularity';
-    this.#element = (small ? null : faceAt(scene, at)) ?? elementAt(scene, at, this.app.stage.pixel);
-    this.#pinned &&= this.#element !== null;
+    this.#element = (small ? null : faceAt(scene, this.#at)) ?? elementAt(scene, this.#at, this.app.stage.pixel);
+    this.#at = this.#element?.at ?? (this.#pinned ? this.#at : null);
     this.#fill();
     this.app.stage.invalidate('overlay');
   }
