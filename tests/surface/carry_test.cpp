@@ -45,15 +45,3 @@ TEST_CASE("sizes count as many quads in the planes as on the surface") {
   }
   CHECK(std::abs(count / (100 * surface_area(mesh)) - 1) < 0.02);
 }
-
-TEST_CASE("points of a chart are points of the surface") {
-  const SurfaceMesh mesh = cube(3);
-  for (const Chart& chart : make_charts(mesh, sharp_edges(mesh)).charts)
-    for (Index t = 0; t < static_cast<Index>(chart.triangles.size()); ++t)
-      for (Index k = 0; k < 3; ++k) {
-        double weights[3] = {0, 0, 0};
-        weights[k] = 1;
-        CHECK(point_in_space(mesh, chart, t, weights) ==
-              mesh.points[chart.vertex[chart.plane.triangles[t][k]]]);
-      }
-}

@@ -39,10 +39,4 @@ std::vector<double> sizes_in_plane(const SurfaceMesh& mesh, const Chart& chart,
   return sum;
 }
 
-Vec3 point_in_space(const SurfaceMesh& mesh, const Chart& chart, Index t,
-                    const double (&weights)[3]) {
-  const auto [a, b, c] = mesh.triangles[chart.triangles[t]];
-  return weights[0] * mesh.points[a] + weights[1] * mesh.points[b] + weights[2] * mesh.points[c];
-}
-
 }  // namespace lpq

@@ -19,8 +19,4 @@ std::vector<Vec2> crosses_in_plane(const SurfaceMesh& mesh, const Chart& chart,
 std::vector<double> sizes_in_plane(const SurfaceMesh& mesh, const Chart& chart,
                                    std::span<const double> h);
 
-/// The point of the surface that is at barycentric `weights` of a chart's triangle.
-Vec3 point_in_space(const SurfaceMesh& mesh, const Chart& chart, Index t,
-                    const double (&weights)[3]);
-
 }  // namespace lpq

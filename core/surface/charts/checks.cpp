@@ -84,6 +84,16 @@ bool borders_meet(const Part& part, std::span<const Vec2> uv) {
   return found;
 }
 
+/// Of all triangles; adds their areas to `total`.
+std::vector<TriangleLayout> layouts_of(const SurfaceMesh& mesh, const Part& part, double& total) {
+  std::vector<TriangleLayout> layouts;
+  for (const Index t : part.triangles) {
+    layouts.push_back(layout_of(mesh, t));
+    total += layouts.back().area;
+  }
+  return layouts;
+}
+
 }  // namespace
 
 Index count_flipped(const Part& part, std::span<const Vec2> uv) {
@@ -100,11 +110,7 @@ MapCheck check_map(const SurfaceMesh& mesh, const Part& part, std::span<const Ve
   if (check.flipped > 0) return check;
   std::vector<Weighted> scales, anisotropies;
   double total = 0, sum = 0;
-  std::vector<TriangleLayout> layouts;
-  for (const Index t : part.triangles) {
-    layouts.push_back(layout_of(mesh, t));
-    total += layouts.back().area;
-  }
+  const std::vector<TriangleLayout> layouts = layouts_of(mesh, part, total);
   const double least = least_area_share * total / static_cast<double>(layouts.size());
   for (Index t = 0; t < part.triangle_count(); ++t) {
     const double area = layouts[t].area;
@@ -126,11 +132,7 @@ MapCheck check_map(const SurfaceMesh& mesh, const Part& part, std::span<const Ve
 std::vector<double> scales_of(const SurfaceMesh& mesh, const Part& part, std::span<const Vec2> uv) {
   std::vector<double> scales;
   double total = 0, plane = 0;
-  std::vector<TriangleLayout> layouts;
-  for (const Index t : part.triangles) {
-    layouts.push_back(layout_of(mesh, t));
-    total += layouts.back().area;
-  }
+  const std::vector<TriangleLayout> layouts = layouts_of(mesh, part, total);
   const double least = least_area_share * total / static_cast<double>(layouts.size());
   for (Index t = 0; t < part.triangle_count(); ++t) {
     const auto [a, b, c] = part.corners[t];
