@@ -2,9 +2,13 @@
 // lifted back; since neighbours share the nodes of their curves, the union conforms.
 #pragma once
 
-#include "base/monitor.h"
+#include <memory>
+#include <optional>
+
 #include "base/result.h"
+#include "mesh/output_mesh.h"
 #include "pipeline/options.h"
+#include "shell/curve_nodes.h"
 #include "shell/shell_mesh.h"
 #include "surface/charts/charts.h"
 #include "surface/cross_field.h"
@@ -35,8 +39,33 @@ struct MeshedCharts {
   std::vector<ChartFailure> failures;  // their faces are missing in the mesh
 };
 
-/// `options`: of the planar chain; the boundary is always kept.
-Result<MeshedCharts> mesh_charts(const Charted& charted, const Options& options,
-                                 Monitor monitor = {});
+/// One chart after the other, in the steps of the planar chain.
+class ChartsMesher {
+ public:
+  /// What `charted` refers to must outlive the mesher. `options`: of the planar chain; the boundary
+  /// is always kept.
+  ChartsMesher(const Charted& charted, const Options& options);
+  ~ChartsMesher();
+
+  /// One step of the planar chain in the current chart; its last step lifts the mesh.
+  void step();
+  bool done() const { return chart_ == static_cast<Index>(charted_.atlas.charts.size()); }
+  Index chart() const { return chart_; }  // the current one: as many are over
+  const MeshedCharts& result() const { return result_; }
+  MeshedCharts take() { return std::move(result_); }
+
+ private:
+  struct Job;  // the current chart
+  void pin_nodes();
+  std::optional<Error> step_in(const Chart& chart);
+  void lift(const Job& job, const OutputMesh& plane);
+
+  Charted charted_;
+  Options options_;
+  CurveNodes nodes_;
+  MeshedCharts result_;
+  Index chart_ = 0;
+  std::unique_ptr<Job> job_;
+};
 
 }  // namespace lpq

@@ -24,35 +24,50 @@ constexpr double default_quads = 3000;
 constexpr int most_rounds = 3;
 constexpr double smaller = 0.6;
 
-class SurfaceRun {
- public:
-  SurfaceRun(const SurfaceOptions& options, Monitor monitor)
-      : options_(options), monitor_(monitor) {}
+}  // namespace
 
-  Result<ShellOutcome> run(SurfaceSoup soup) {
+class SurfaceMesher::Run {
+ public:
+  explicit Run(const SurfaceOptions& options) : options_(options) {}
+
+  std::optional<Error> start(SurfaceSoup soup) {
     if (const auto ranges = check_ranges(options_); !ranges) return ranges.error();
-    if (auto error = repair(std::move(soup))) return *error;
-    if (auto error = find_lines()) return *error;
-    if (auto error = make_fields_and_charts()) return *error;
-    for (;; ++outcome_.report.rounds) {
-      auto made = mesh_once();
-      if (!made) return made.error();
-      if (made->failures.empty()) {
-        outcome_.mesh = std::move(made->mesh);
-        break;
-      }
-      if (outcome_.report.rounds == most_rounds) return failed(made->failures.front());
-      shrink_sizes(made->failures);
-    }
-    return finish();
+    return repair(std::move(soup));
   }
 
- private:
-  const SurfaceMesh& surface() const { return outcome_.surface; }
+  std::optional<Error> step() {
+    switch (stage_) {
+      case SurfaceStage::features: return then(SurfaceStage::field, find_lines());
+      case SurfaceStage::field: return then(SurfaceStage::charts, make_field());
+      case SurfaceStage::charts: return then(SurfaceStage::mesh, make_atlas());
+      case SurfaceStage::mesh: return mesh_more();
+      case SurfaceStage::seams: return then(SurfaceStage::done, finish());
+      case SurfaceStage::done: break;
+    }
+    return std::nullopt;
+  }
 
+  SurfaceStage stage() const { return stage_; }
+  const SurfaceOptions& options() const { return options_; }
+  const SurfaceMesh& surface() const { return outcome_.surface; }
+  const SurfaceFeatures& features() const { return features_; }
+  std::span<const double> sizes() const { return size_; }
+  const SurfaceCrossField& cross_field() const { return cross_; }
+  const Atlas& atlas() const { return atlas_; }
+  Index charts_meshed() const {
+    if (charts_) return charts_->chart();
+    return stage_ > SurfaceStage::mesh ? static_cast<Index>(atlas_.charts.size()) : 0;
+  }
+  const ShellMesh& mesh() const { return charts_ ? charts_->result().mesh : outcome_.mesh; }
+  const ShellOutcome& outcome() const { return outcome_; }
+
+ private:
   StageTimer timed(const char* stage) { return {outcome_.report.times, stage}; }
-  bool stopped(const char* stage) { return !monitor_({.stage = stage}); }
-  static Error cancelled() { return {ErrorCode::cancelled, "The run was cancelled.", {}}; }
+
+  std::optional<Error> then(SurfaceStage next, std::optional<Error> failure) {
+    if (!failure) stage_ = next;
+    return failure;
+  }
 
   std::optional<Error> repair(SurfaceSoup soup) {
     const StageTimer timer = timed("repair");
@@ -99,13 +114,13 @@ class SurfaceRun {
     return std::nullopt;
   }
 
-  std::optional<Error> make_fields_and_charts() {
-    if (stopped("field")) return cancelled();
-    {
-      const StageTimer timer = timed("field");
-      cross_ = solve_surface_cross(surface(), feature_);
-    }
-    if (stopped("charts")) return cancelled();
+  std::optional<Error> make_field() {
+    const StageTimer timer = timed("field");
+    cross_ = solve_surface_cross(surface(), feature_);
+    return std::nullopt;
+  }
+
+  std::optional<Error> make_atlas() {
     const StageTimer timer = timed("charts");
     atlas_ = make_charts(surface(), feature_);
     lines_ = features_;
@@ -127,14 +142,32 @@ class SurfaceRun {
     return {surface(), features_, cross_, size_, atlas_, lines_, curves_, nodes_};
   }
 
-  Result<MeshedCharts> mesh_once() {
+  std::optional<Error> mesh_more() {
     const StageTimer timer = timed("mesh");
+    if (!charts_) return start_round();
+    charts_->step();
+    if (!charts_->done()) return std::nullopt;
+    MeshedCharts made = charts_->take();
+    charts_.reset();
+    if (made.failures.empty()) {
+      outcome_.mesh = std::move(made.mesh);
+      stage_ = SurfaceStage::seams;
+    } else {
+      if (outcome_.report.rounds == most_rounds) return failed(made.failures.front());
+      shrink_sizes(made.failures);
+      ++outcome_.report.rounds;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> start_round() {
     mark_corners(surface(), size_, FeatureOptions{}.corner_angle, lines_);
     curves_ = trace_curves(surface(), lines_);
     auto nodes = mesh_curves(surface(), lines_, curves_, size_);
     if (!nodes) return nodes.error();
     nodes_ = std::move(*nodes);
-    return mesh_charts(charted(), chart_options(options_), monitor_);
+    charts_.emplace(charted(), chart_options(options_));
+    return std::nullopt;
   }
 
   void shrink_sizes(const std::vector<ChartFailure>& failures) {
@@ -155,9 +188,8 @@ class SurfaceRun {
             {}};
   }
 
-  Result<ShellOutcome> finish() {
+  std::optional<Error> finish() {
     ShellReport& report = outcome_.report;
-    if (stopped("seams")) return cancelled();
     {
       const StageTimer timer = timed("seams");
       report.seams = finish_seams(charted(), chart_options(options_), outcome_.mesh);
@@ -179,7 +211,7 @@ class SurfaceRun {
           {ErrorCode::no_valid_mesh,
            "Not all quads are convex: " + std::to_string(bent) + ". A smaller size may help.",
            {}});
-    return std::move(outcome_);
+    return std::nullopt;
   }
 
   std::optional<Error> check() {
@@ -210,8 +242,8 @@ class SurfaceRun {
     }
   }
 
-  const SurfaceOptions& options_;
-  Monitor monitor_;
+  SurfaceOptions options_;
+  SurfaceStage stage_ = SurfaceStage::features;
   ShellOutcome outcome_;
   SurfaceFeatures features_, lines_;
   std::vector<char> feature_;  // #half-edges
@@ -220,9 +252,40 @@ class SurfaceRun {
   Atlas atlas_;
   SurfaceCurves curves_;
   CurveMesh nodes_;
+  std::optional<ChartsMesher> charts_;  // while they are meshed
 };
 
-}  // namespace
+SurfaceMesher::SurfaceMesher(std::unique_ptr<Run> run) : run_(std::move(run)) {}
+SurfaceMesher::SurfaceMesher(SurfaceMesher&&) noexcept = default;
+SurfaceMesher& SurfaceMesher::operator=(SurfaceMesher&&) noexcept = default;
+SurfaceMesher::~SurfaceMesher() = default;
+
+Result<SurfaceMesher> SurfaceMesher::start(SurfaceSoup soup, const SurfaceOptions& options) {
+  auto run = std::make_unique<Run>(options);
+  if (auto error = run->start(std::move(soup))) return *error;
+  return SurfaceMesher(std::move(run));
+}
+
+Result<SurfaceStage> SurfaceMesher::step() {
+  if (auto error = run_->step()) return *error;
+  return run_->stage();
+}
+
+SurfaceStage SurfaceMesher::stage() const { return run_->stage(); }
+const SurfaceOptions& SurfaceMesher::options() const { return run_->options(); }
+const SurfaceMesh& SurfaceMesher::surface() const { return run_->surface(); }
+const SurfaceFeatures& SurfaceMesher::features() const { return run_->features(); }
+std::span<const double> SurfaceMesher::sizes() const { return run_->sizes(); }
+const SurfaceCrossField& SurfaceMesher::cross_field() const { return run_->cross_field(); }
+const Atlas& SurfaceMesher::atlas() const { return run_->atlas(); }
+Index SurfaceMesher::charts_meshed() const { return run_->charts_meshed(); }
+const ShellMesh& SurfaceMesher::mesh() const { return run_->mesh(); }
+const ShellOutcome& SurfaceMesher::outcome() const { return run_->outcome(); }
+
+const char* stage_name(SurfaceStage stage) {
+  constexpr const char* names[] = {"features", "field", "charts", "mesh", "seams", "done"};
+  return names[static_cast<std::size_t>(stage)];
+}
 
 Options chart_options(const SurfaceOptions& options) {
   Options planar;
@@ -238,7 +301,15 @@ Options chart_options(const SurfaceOptions& options) {
 
 Result<ShellOutcome> mesh_surface(SurfaceSoup soup, const SurfaceOptions& options,
                                   Monitor monitor) {
-  return SurfaceRun(options, monitor).run(std::move(soup));
+  auto mesher = SurfaceMesher::start(std::move(soup), options);
+  if (!mesher) return mesher.error();
+  while (mesher->stage() != SurfaceStage::done) {
+    const Progress progress{stage_name(mesher->stage()), mesher->charts_meshed(),
+                            static_cast<int>(mesher->atlas().charts.size())};
+    if (!monitor(progress)) return Error{ErrorCode::cancelled, "The run was cancelled.", {}};
+    if (const auto stage = mesher->step(); !stage) return stage.error();
+  }
+  return mesher->outcome();
 }
 
 }  // namespace lpq

@@ -3,6 +3,8 @@
 // for all.
 #pragma once
 
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,7 +43,41 @@ struct ShellOutcome {
   ShellReport report;
 };
 
-/// Errors: those of repair_surface, bad_option, bad_size, too_many_elements, no_valid_mesh,
+enum class SurfaceStage { features, field, charts, mesh, seams, done };
+const char* stage_name(SurfaceStage stage);
+
+/// A run in steps, forwards only. What a stage has made can be looked at from then on.
+class SurfaceMesher {
+ public:
+  /// Repairs the surface. Errors: those of repair_surface, bad_option.
+  static Result<SurfaceMesher> start(SurfaceSoup soup, const SurfaceOptions& options = {});
+  SurfaceMesher(SurfaceMesher&&) noexcept;
+  SurfaceMesher& operator=(SurfaceMesher&&) noexcept;
+  ~SurfaceMesher();
+
+  /// Advances by one stage, or in `mesh` by one step of the planar chain in one chart. After the
+  /// call stage() is what comes next. Errors: those of mesh_surface but cancelled.
+  Result<SurfaceStage> step();
+
+  SurfaceStage stage() const;
+  const SurfaceOptions& options() const;
+  const SurfaceMesh& surface() const;       // as repaired
+  const SurfaceFeatures& features() const;  // empty before their stages, as all that follows
+  std::span<const double> sizes() const;    // #V of the surface
+  const SurfaceCrossField& cross_field() const;
+  const Atlas& atlas() const;
+  Index charts_meshed() const;          // of the current round
+  const ShellMesh& mesh() const;        // of these charts, or of all
+  const ShellOutcome& outcome() const;  // whole once done
+
+ private:
+  class Run;
+  explicit SurfaceMesher(std::unique_ptr<Run> run);
+  std::unique_ptr<Run> run_;
+};
+
+/// The whole run. `monitor` is asked between steps; its iterations are charts. Errors: those of
+/// repair_surface, bad_option, bad_size, too_many_elements, no_valid_mesh,
 /// cancelled.
 Result<ShellOutcome> mesh_surface(SurfaceSoup soup, const SurfaceOptions& options = {},
                                   Monitor monitor = {});
