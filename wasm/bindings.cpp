@@ -4,6 +4,7 @@
 #include <emscripten/bind.h>
 
 #include <memory>
+#include <optional>
 
 #include "io/describe.h"
 #include "io/domain/domain_format.h"
@@ -62,6 +63,20 @@ val mesh_packed_domain(const val& packed, const val& option_object, const val& f
   });
 }
 
+/// What a mesh on a surface cannot be written as.
+std::optional<Error> unwritable(MeshFormat format, const MeshWriteOptions& options,
+                                const val& given) {
+  if (!is_shell_format(format))
+    return Error{ErrorCode::bad_option,
+                 "That format is for meshes in the plane; a mesh on a surface can be written as " +
+                     shell_endings() + ".",
+                 {}};
+  if (!given["inpElement"].isUndefined() && options.inp_element != InpElement::s4)
+    return Error{
+        ErrorCode::bad_option, "The elements of a surface are shells: inpElement 'S4'.", {}};
+  return std::nullopt;
+}
+
 val write_mesh_text(const val& mesh_object, const std::string& format, const val& option_object) {
   return guarded([&] {
     const auto mesh = mesh_from(mesh_object);
@@ -71,6 +86,8 @@ val write_mesh_text(const val& mesh_object, const std::string& format, const val
     const auto known = mesh_format_by_name(format);
     if (!known)
       return failure({ErrorCode::bad_option, "There is no mesh format '" + format + "'.", {}});
+    if (mesh->in_space())
+      if (const auto error = unwritable(*known, *options, option_object)) return failure(*error);
     return text_result(write_mesh(*mesh, *known, *options));
   });
 }

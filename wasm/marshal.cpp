@@ -70,6 +70,38 @@ Error bad_mesh(const char* array) {
           {}};
 }
 
+void set_points(const OutputMesh& mesh, val& js) {
+  if (!mesh.in_space()) {
+    js.set("points", to_array(mesh.points));
+    return;
+  }
+  std::vector<Vec3> points;
+  for (Index v = 0; v < static_cast<Index>(mesh.points.size()); ++v)
+    points.push_back(mesh.point(v));
+  js.set("dimension", 3);
+  js.set("points", to_array(points));
+}
+
+std::vector<Vec3> points_in_space_from(const val& array) {
+  const std::vector<double> values = doubles_from(array);
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i + 2 < values.size(); i += 3)
+    points.push_back({values[i], values[i + 1], values[i + 2]});
+  return points;
+}
+
+void read_points(const val& js, OutputMesh& mesh) {
+  const val dimension = js["dimension"];
+  if (!dimension.isNumber() || dimension.as<double>() != 3) {
+    mesh.points = points_from(js["points"]);
+    return;
+  }
+  for (const Vec3 p : points_in_space_from(js["points"])) {
+    mesh.points.push_back({p.x, p.y});
+    mesh.z.push_back(p.z);
+  }
+}
+
 /// The first array with an index that no writer could follow; nullptr if all is well.
 const char* out_of_range(const OutputMesh& mesh) {
   const auto outside = [](Index i, std::size_t count) {
@@ -98,6 +130,9 @@ val to_array(std::span<const double> values) { return copied(values.size(), valu
 val to_array(std::span<const Vec2> points) {
   return copied(2 * points.size(), reinterpret_cast<const double*>(points.data()));
 }
+val to_array(std::span<const Vec3> points) {
+  return copied(3 * points.size(), reinterpret_cast<const double*>(points.data()));
+}
 val to_array(std::span<const Index> values) { return copied(values.size(), values.data()); }
 
 val to_indices(std::span<const Index> values) {
@@ -113,6 +148,10 @@ val to_corners(std::span<const Face> faces, int corners) {
 }
 val to_corners(std::span<const Tri> triangles) {
   return to_indices({reinterpret_cast<const Index*>(triangles.data()), 3 * triangles.size()});
+}
+
+val to_pairs(std::span<const std::array<Index, 2>> pairs) {
+  return to_indices({reinterpret_cast<const Index*>(pairs.data()), 2 * pairs.size()});
 }
 
 val to_strings(const std::vector<std::string>& texts) {
@@ -181,6 +220,17 @@ std::vector<DomainInput::Guide> guides_from(const val& packed) {
   return guides;
 }
 
+SurfaceSoup soup_from(const val& packed) {
+  SurfaceSoup soup;
+  soup.points = points_in_space_from(packed["points"]);
+  const std::vector<Index> corners = indices_from(packed["triangles"]);
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+    soup.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+  soup.group = indices_from(packed["groups"]);
+  soup.group_names = strings_from(packed["groupNames"]);
+  return soup;
+}
+
 val to_js(const OutputMesh& mesh) {
   std::vector<Index> ends, sides, origin, points, tags;
   for (const OutputEdge& e : mesh.edges) {
@@ -193,7 +243,7 @@ val to_js(const OutputMesh& mesh) {
     tags.push_back(p.tag);
   }
   val js = val::object();
-  js.set("points", to_array(mesh.points));
+  set_points(mesh, js);
   js.set("quads", to_corners(mesh.faces, 4));
   js.set("quadRegions", to_array(regions_of_faces(mesh, 4)));
   js.set("triangles", to_corners(mesh.faces, 3));
@@ -212,7 +262,7 @@ val to_js(const OutputMesh& mesh) {
 
 Result<OutputMesh> mesh_from(const val& js) {
   OutputMesh mesh;
-  mesh.points = points_from(js["points"]);
+  read_points(js, mesh);
   append_faces(mesh, js["quads"], js["quadRegions"], 4);
   append_faces(mesh, js["triangles"], js["triangleRegions"], 3);
   Cursor ends(indices_from(js["edges"])), sides(indices_from(js["edgeRegions"]));
@@ -238,10 +288,9 @@ val failure(const Error& error) {
   return result;
 }
 
-val out_of_memory() {
-  return failure({ErrorCode::out_of_memory,
-                  "There is not enough memory for this mesh. Use a larger size.",
-                  {}});
+Error out_of_memory() {
+  return {
+      ErrorCode::out_of_memory, "There is not enough memory for this mesh. Use a larger size.", {}};
 }
 
 val text_result(const std::string& text) {

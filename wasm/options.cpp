@@ -79,6 +79,9 @@ Result<Table> table_from(const val& object) {
 }  // namespace
 
 Result<Options> options_from(const val& object) { return table_from<Options>(object); }
+Result<SurfaceOptions> surface_options_from(const val& object) {
+  return table_from<SurfaceOptions>(object);
+}
 Result<MeshWriteOptions> write_options_from(const val& object) {
   return table_from<MeshWriteOptions>(object);
 }

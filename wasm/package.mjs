@@ -18,7 +18,8 @@ function assemble() {
   chmodSync(join(dist, 'cli.js'), 0o755);
 
   // One glue serves both builds: they differ in instructions, not in what they import and export.
-  for (const [name, from] of [['glue.js', 'lpquad.mjs'], ['readers-glue.js', 'lpquad-readers.mjs']]) {
+  for (const [name, from] of [['glue.js', 'lpquad.mjs'], ['readers-glue.js', 'lpquad-readers.mjs'],
+    ['surface-glue.js', 'lpquad-surface.mjs']]) {
     const glue = readFileSync(build('wasm', `wasm/${from}`), 'utf8');
     if (glue !== readFileSync(build('wasm-plain', `wasm/${from}`), 'utf8'))
       throw new Error(`The glue ${from} of the two WebAssembly builds differs.`);
@@ -27,6 +28,8 @@ function assemble() {
   const copies = { 'lpquad.wasm': build('wasm', 'wasm/lpquad.wasm'),
     'lpquad-plain.wasm': build('wasm-plain', 'wasm/lpquad.wasm'),
     'lpquad-readers.wasm': build('wasm-plain', 'wasm/lpquad-readers.wasm'),
+    'lpquad-surface.wasm': build('wasm', 'wasm/lpquad-surface.wasm'),
+    'lpquad-surface-plain.wasm': build('wasm-plain', 'wasm/lpquad-surface.wasm'),
     'cli.cjs': build('wasm-plain', 'bin/lpquad.cjs'), 'cli.wasm': build('wasm-plain', 'bin/lpquad.wasm') };
   for (const [name, from] of Object.entries(copies)) {
     cpSync(from, join(dist, name));
@@ -35,9 +38,10 @@ function assemble() {
 
   // The single file: everything in one module, for places where no second file can be fetched. The
   // plain build, since it cannot choose.
-  const base64 = (name) => readFileSync(join(dist, `${name}.wasm`)).toString('base64');
-  const files = ['lpquad-plain', 'lpquad-readers'].map((name) => `  '${name}': '${base64(name)}',\n`);
-  writeFileSync(join(dist, 'inline-wasm.js'), `export default {\n${files.join('')}};\n`);
+  const inline = (file, names) => writeFileSync(join(dist, file), `export default {\n${names.map((name) =>
+    `  '${name}': '${readFileSync(join(dist, `${name}.wasm`)).toString('base64')}',\n`).join('')}};\n`);
+  inline('inline-wasm.js', ['lpquad-plain', 'lpquad-readers']);
+  inline('inline-surface-wasm.js', ['lpquad-surface-plain']);
 }
 
 function check() {

@@ -26,10 +26,13 @@ const table = (name, options) => [`export interface ${name} {`,
 
 export function generatedTypes(description) {
   return ['// Made by wasm/types.mjs from the option tables of the core; do not edit.', '',
-    ...table('MeshOptions', description.options), ...table('WriteOptions', description.writeOptions),
+    ...table('MeshOptions', description.options), ...table('SurfaceOptions', description.surfaceOptions),
+    ...table('WriteOptions', description.writeOptions),
     `export type ErrorCode =\n  | ${description.errorCodes.map((c) => `'${c}'`).join('\n  | ')};`, '',
     `export type MeshFormat = ${quoted(description.meshFormats)};`, '',
-    `export type DomainFormat = ${quoted(description.domainFormats ?? [])};`, ''].join('\n');
+    `export type DomainFormat = ${quoted(description.domainFormats)};`, '',
+    `export type SurfaceFormat = ${quoted(description.surfaceFormats)};`, '',
+    `export type SurfaceMeshFormat = ${quoted(description.surfaceMeshFormats)};`, ''].join('\n');
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {

@@ -4,7 +4,9 @@
 #include "io/domain/domain_format.h"
 #include "io/json_write.h"
 #include "io/mesh/mesh_format.h"
+#include "io/surface/surface_format.h"
 #include "pipeline/options.h"
+#include "shell/options.h"
 
 namespace lpq {
 namespace {
@@ -57,6 +59,15 @@ void append_names(JsonWriter& json, std::string_view key, const Formats& formats
   json.end_array();
 }
 
+/// The formats that hold meshes on surfaces.
+void append_shell_formats(JsonWriter& json) {
+  json.key("surfaceMeshFormats");
+  json.begin_array();
+  for (const MeshFormatInfo& info : mesh_formats)
+    if (info.in_space) json.value(info.name);
+  json.end_array();
+}
+
 }  // namespace
 
 const char* version() { return LPQ_VERSION; }
@@ -67,10 +78,13 @@ std::string write_description() {
   json.begin_object();
   json.member("version", version());
   append_table(json, "options", Options{});
+  append_table(json, "surfaceOptions", SurfaceOptions{});
   append_table(json, "writeOptions", MeshWriteOptions{});
   append_codes(json);
   append_names(json, "meshFormats", mesh_formats);
   append_names(json, "domainFormats", domain_formats);
+  append_names(json, "surfaceFormats", surface_formats);
+  append_shell_formats(json);
   json.end_object();
   out += '\n';
   return out;

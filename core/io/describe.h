@@ -10,8 +10,9 @@ const char* version();
 
 /// JSON: {"version", "options": [{"name", "type": "number"|"integer"|"boolean"|"choice", "default",
 /// "min", "max" (numbers), "choices" (choices), "unit", "help"}, ..] in order,
-/// "writeOptions": the same for writing meshes, "errorCodes": ["PARSE_ERROR", ..], "meshFormats":
-/// [..], "domainFormats": [..]}.
+/// "surfaceOptions", "writeOptions": the same for surfaces and for writing meshes, "errorCodes":
+/// ["PARSE_ERROR", ..], "meshFormats": [..], "domainFormats": [..], "surfaceFormats": [..],
+/// "surfaceMeshFormats": [..]}, the last those that hold meshes on surfaces.
 std::string write_description();
 
 }  // namespace lpq

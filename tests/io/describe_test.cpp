@@ -5,7 +5,9 @@
 #include "io/domain/domain_format.h"
 #include "io/domain/json_domain.h"
 #include "io/mesh/mesh_format.h"
+#include "io/surface/surface_format.h"
 #include "pipeline/options.h"
+#include "shell/options.h"
 
 using namespace lpq;
 
@@ -21,6 +23,9 @@ TEST_CASE("the description is JSON and names every option, code and format") {
   each_field(options, [&](const char* name, const auto&, const FieldInfo&) { CHECK(names(name)); });
   for (const MeshFormatInfo& info : mesh_formats) CHECK(names(info.name));
   for (const DomainFormatInfo& info : domain_formats) CHECK(names(info.name));
+  for (const SurfaceFormatInfo& info : surface_formats) CHECK(names(info.name));
+  const SurfaceOptions surface;
+  each_field(surface, [&](const char* name, const auto&, const FieldInfo&) { CHECK(names(name)); });
   CHECK(names(code_name(ErrorCode::parse_error)));
   CHECK(names(code_name(ErrorCode::io_error)));
   CHECK(names(version()));

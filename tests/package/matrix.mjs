@@ -21,7 +21,8 @@ const run = (command, args, cwd) => new Promise((resolve, reject) =>
   (error, stdout, stderr) => (error ? reject(new Error(`${error.message}\n${stdout}${stderr}`)) : resolve(stdout))));
 const project = (name) => join(work, name);
 
-let passed = 0, failed = 0, expected = null;
+let passed = 0, failed = 0;
+let expected = null, expectedSurface = null;  // hashes of the two meshes
 function check(name, fault) {
   fault ? ++failed : ++passed;
   console.log(fault ? `FAIL ${name}\n     ${fault.replaceAll('\n', '\n     ')}` : `ok   ${name}`);
@@ -34,12 +35,13 @@ async function attempt(name, work) {
   }
 }
 
-/** '' if every way of the consumer gave the mesh that all others got. */
+/** '' if every way of the consumer gave the meshes that all others got. */
 function judge({ error, found = {} }) {
   if (error) return error;
-  const wrong = Object.entries(found).filter(([, print]) => print !== `${expected} ${expected}`);
+  const right = (way) => `${expected} ${expected}${way === 'inline' ? '' : ` ${expectedSurface}`}`;
+  const wrong = Object.entries(found).filter(([way, print]) => print !== right(way));
   if (Object.keys(found).length === 0) return 'nothing was tried';
-  return wrong.map(([way, print]) => `${way}: ${print} instead of ${expected} twice`).join('\n');
+  return wrong.map(([way, print]) => `${way}: ${print} instead of ${right(way)}`).join('\n');
 }
 
 async function install() {
@@ -64,13 +66,18 @@ async function install() {
 }
 
 async function inNode() {
-  const { domain, options } = await import(join(project('node-esm'), 'report.js'));
+  const { domain, options, surfaceFile, surfaceOptions } = await import(join(project('node-esm'), 'report.js'));
   const command = join(project('node-esm'), 'node_modules/.bin/lpquad');
   writeFileSync(join(project('node-esm'), 'domain.json'), JSON.stringify(domain));
-  await attempt('npx lpquad', async () => {
-    await run('npx', ['--offline', 'lpquad', 'mesh', 'domain.json', '-o', 'mesh.msh', '--size', String(options.size),
+  writeFileSync(join(project('node-esm'), 'part.obj'), surfaceFile);
+  const hashOf = async (file, { size }) => {
+    await run('npx', ['--offline', 'lpquad', 'mesh', file, '-o', 'mesh.msh', '--size', String(size),
       '--report', 'report.json'], project('node-esm'));
-    expected = JSON.parse(readFileSync(join(project('node-esm'), 'report.json'))).hash;
+    return JSON.parse(readFileSync(join(project('node-esm'), 'report.json'))).hash;
+  };
+  await attempt('npx lpquad', async () => {
+    expected = await hashOf('domain.json', options);
+    expectedSurface = await hashOf('part.obj', surfaceOptions);
     if (!existsSync(command)) return 'no command was installed';
   });
   for (const [name, file] of [['node-esm', 'main.js'], ['node-cjs', 'main.cjs']])
@@ -78,14 +85,17 @@ async function inNode() {
       judge({ found: JSON.parse(await run(process.execPath, [file], project(name))) }));
 }
 
-/** The example of the README, as printed. */
+/** The examples of the README, as printed. */
 async function readme() {
-  await attempt('the README\'s example', async () => {
-    const text = readFileSync(join(root, 'README.md'), 'utf8');
-    const code = text.match(/<!-- example: run by tests\/package -->\n```js\n([\s\S]*?)```/)[1];
-    writeFileSync(join(project('node-esm'), 'example.js'), code);
-    const said = await run(process.execPath, ['example.js'], project('node-esm'));
-    if (!/^\d+ quads/.test(said)) return `it printed ${said}`;
+  const text = readFileSync(join(root, 'README.md'), 'utf8');
+  const examples = [...text.matchAll(/^ *<!-- example: run by tests\/package -->\n *```js\n([\s\S]*?)```/gm)];
+  await attempt('the README\'s examples', async () => {
+    if (examples.length !== 2) return `there are ${examples.length}`;
+    for (const [, code] of examples) {
+      writeFileSync(join(project('node-esm'), 'example.js'), code);
+      const said = await run(process.execPath, ['example.js'], project('node-esm'));
+      if (!/^\d+ quads/.test(said)) return `it printed ${said}`;
+    }
   });
 }
 
@@ -179,7 +189,7 @@ async function lint(tarball) {
   // There is no CommonJS build on purpose: the factory is asynchronous anyway, and import() gives it.
   await attempt('attw', async () => {
     await run(join(tools, 'attw'), [tarball, '--profile', 'esm-only', '--exclude-entrypoints', 'lpquad.wasm',
-      'lpquad-plain.wasm', 'lpquad-readers.wasm'], work);
+      'lpquad-plain.wasm', 'lpquad-readers.wasm', 'lpquad-surface.wasm', 'lpquad-surface-plain.wasm'], work);
   });
 }
 

@@ -50,6 +50,8 @@ test('bytes, a compiled module and an address give the same meshes', async () =>
 
 test('lpquad/inline gives the same meshes', async () => {
   const inline = await (await import(dist('inline.js').href)).createLpquad();
+  assert.notEqual(inline, lpquad);
+  assert.equal(inline.build, 'plain');
   assert.equal(meshHash(inline.meshDomain(plate, { size: 0.1 })),
     meshHash(lpquad.meshDomain(plate, { size: 0.1 })));
 });

@@ -1,4 +1,4 @@
-// The same bytes everywhere: meshes and reports from native g++ and clang, from the command line in
+// The same bytes everywhere: meshes of domains and surfaces, and their reports, from native g++ and clang, from the command line in
 // Node, from the library in Node (SIMD and plain) and in Chromium, compared by SHA-256.
 // usage: node tests/wasm/parity.mjs [shared folder]; ends with "N passed, N failed".
 // Needs the presets release and clang (target lpquad_command) and dist/.
@@ -16,6 +16,12 @@ const polygonStride = 2;      // every second polygon
 const nativeSeconds = 2;      // what takes longer is left out
 const leastPolygons = 50;
 const sizeShare = 1 / 30;     // of the diagonal
+// Of the shared surfaces: sharp and smooth, open and closed, with groups, handles and defects; and a file per format.
+const surfaces = ['surfaces/cad_gmsh_capot_carhood.obj', 'surfaces/cad_trimesh_featuretype.obj', 'surfaces/cgal_joint.obj',
+  'surfaces/trimesh_fixed_top_ply.obj', 'surfaces/cgal_rotor.obj', 'surfaces/gc_spot.obj', 'surfaces/common_rocker-arm.obj',
+  'surfaces/gpjs_small_bunny.obj', 'surfaces/libigl_3holes.obj', 'surfaces/libigl_fertility.obj', 'surfaces/od_bunny.obj',
+  'surfaces/pmp_hemisphere.obj', 'surfaces/bff_box.obj', 'surfaces/cgal_mask_cone.obj', 'formats/20mm-xyz-cube.stl',
+  'formats/suzanne.ply', 'formats/multibody.stl', 'formats/whitespace.off', 'formats/groups.obj', 'formats/surfaces_in_3d.asc.v41.msh'];
 const browserSeconds = 900;
 
 if (!existsSync(join(shared, 'domains'))) {
@@ -57,6 +63,10 @@ function makeCases() {
   for (const file of jsonFiles('domains')) add(file, 'domain', { keepBoundary: true });
   for (const name of ['platehole', 'lshape', 'hood'])
     add(join(shared, `domains/${name}.json`), 'paper', { keepBoundary: true, method: 'paper' });
+  for (const file of surfaces) {
+    const name = basename(file);
+    cases.push({ name, kind: 'surface', file: join(shared, 'data', file), options: {} });
+  }
   jsonFiles('data/polygons').filter((_, i) => i % polygonStride === 0).forEach((file) => add(file, 'polygon', {}));
   return cases;
 }
@@ -81,9 +91,11 @@ async function byCommand(command, { name, file, options }, seconds) {
   return result;
 }
 
-async function byLibrary(lpquad, { domain, options }) {
+async function byLibrary(lpquad, { name, kind, file, domain, options }) {
   try {
-    const mesh = await lpquad.meshDomain(domain, options);
+    const mesh = kind === 'surface'
+      ? await lpquad.meshSurface(await lpquad.readSurface(readFileSync(file), { name }), options)
+      : await lpquad.meshDomain(domain, options);
     return hashes(await lpquad.writeMesh(mesh, 'msh'), mesh.report);
   } catch (error) {
     return `${error.code ?? ''} ${error.message}`;
@@ -99,8 +111,10 @@ const hash = async (text) => [...new Uint8Array(await crypto.subtle.digest('SHA-
 const found = {};
 try {
   const lpquad = await createLpquad();
-  for (const { name, domain, options } of await (await fetch('cases.json')).json()) {
-    const mesh = lpquad.meshDomain(domain, options);
+  for (const { name, kind, domain, options } of await (await fetch('cases.json')).json()) {
+    const mesh = kind === 'surface'
+      ? await lpquad.meshSurface(await lpquad.readSurface(await (await fetch('surface-' + name)).arrayBuffer(), { name }), options)
+      : lpquad.meshDomain(domain, options);
     const { cpuSeconds, ...report } = mesh.report;
     found[name] = (await hash(lpquad.writeMesh(mesh, 'msh'))) + ' ' + (await hash(JSON.stringify(report)));
   }
@@ -115,6 +129,8 @@ async function inChromium(cases) {
   writeFileSync(join(folder, 'index.html'), page);
   writeFileSync(join(folder, 'page.js'), script);
   writeFileSync(join(folder, 'cases.json'), JSON.stringify(cases));
+  for (const { name, kind, file } of cases)
+    if (kind === 'surface') writeFileSync(join(folder, `surface-${name}`), readFileSync(file));
   const server = await serve({ page: { folder }, dist: { folder: path('dist') } });
   const answer = server.answer('chromium', browserSeconds);
   const close = openBrowser('chromium', `${server.origin}/page/?to=${encodeURIComponent(server.address('chromium'))}`, work);
@@ -146,7 +162,8 @@ console.log(`${cases.length} cases; ${all.length - cases.length} polygons left o
 
 const ways = { clang: (one) => byCommand(clang, one), 'the command line in Node': (one) => byCommand(command, one) };
 for (const build of ['lpquad', 'lpquad-plain']) {
-  const lpquad = createLpquadWorker({ wasmUrl: dist(`${build}.wasm`) });
+  const surfaceUrl = dist(`${build.replace('lpquad', 'lpquad-surface')}.wasm`);
+  const lpquad = createLpquadWorker({ wasmUrl: dist(`${build}.wasm`), surfaceUrl });
   ways[`${build}.wasm in Node`] = (one) => byLibrary(lpquad, one);
   process.once('exit', () => lpquad.terminate());
 }

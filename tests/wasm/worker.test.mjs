@@ -23,7 +23,8 @@ async function timed(promise) {
 
 test('the worker says what the library says', async () => {
   const said = await remote.ready();
-  for (const name of ['version', 'build', 'options', 'writeOptions', 'errorCodes', 'meshFormats', 'domainFormats'])
+  for (const name of ['version', 'build', 'options', 'surfaceOptions', 'writeOptions', 'errorCodes', 'meshFormats', 'domainFormats',
+    'surfaceFormats', 'surfaceMeshFormats'])
     assert.deepEqual(said[name], lpquad[name]);
 });
 

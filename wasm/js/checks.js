@@ -39,6 +39,8 @@ export function checkMesh(mesh) {
       if (typeof text !== 'string')
         throw new LpquadError('PARSE_ERROR', `mesh.${name}[${i}] must be a text.`);
     });
+  if (![undefined, 2, 3].includes(mesh.dimension))
+    throw new LpquadError('PARSE_ERROR', 'mesh.dimension must be 3 for a mesh on a surface, or absent.');
   if (typeof mesh.boundaryNodes !== 'number')
     throw new LpquadError('PARSE_ERROR', 'mesh.boundaryNodes must be a number.');
 }

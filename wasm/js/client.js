@@ -124,16 +124,27 @@ export class LpquadWorker {
   writeMesh(mesh, format, options = {}) {
     return this.#run('writeMesh', { mesh, format, options });
   }
+  readSurface(source, options = {}) {
+    return this.#run('readSurface', { bytes: source, options });
+  }
+  isSurfaceFile(source, options = {}) {
+    return this.#run('isSurfaceFile', { bytes: source, options });
+  }
+  meshSurface(surface, options = {}, control = {}) {
+    return this.#run('meshSurface', { surface, options }, control);
+  }
   async start(domain, options = {}, control = {}) {
-    return this.#adopt(await this.#run('start', { domain, options }, control));
+    return this.#adopt(await this.#run('start', { domain, options }, control), RemoteSession);
+  }
+  async startSurface(surface, options = {}, control = {}) {
+    return this.#adopt(await this.#run('startSurface', { surface, options }, control), RemoteRun);
   }
 
-  #adopt({ session, state }) {
+  #adopt({ session, state }, Kind) {
     ++this.#sessions;
     const lost = () => { this.#sessions = Math.max(0, this.#sessions - 1); };
     const run = (op, args, control) => this.#run(op, { session, ...args }, control);
-    const adopt = (raw) => this.#adopt(raw);
-    return new RemoteSession(run, adopt, lost, state);
+    return new Kind({ run, lost, adopt: (raw) => this.#adopt(raw, Kind) }, state);
   }
 
   terminate() {
@@ -142,32 +153,29 @@ export class LpquadWorker {
 }
 if (Symbol.dispose) LpquadWorker.prototype[Symbol.dispose] = LpquadWorker.prototype.terminate;
 
-class RemoteSession {
-  #run;
-  #adopt;
-  #released;
+/** What runs in the worker and goes forwards: a session on a surface. */
+class RemoteRun {
+  #worker;
   #disposed = false;
   state;
+  /** Of run(). */
+  get defaultLayers() { return { quads: true }; }
 
-  constructor(run, adopt, released, state) {
-    this.#run = run;
-    this.#adopt = adopt;
-    this.#released = released;
+  /** @param {{run: Function, lost: Function, adopt: Function}} worker  how to reach it */
+  constructor(worker, state) {
+    this.#worker = worker;
     this.state = state;
   }
 
-  async #move(op, args, control) {
-    this.state = await this.#run(op, args, control);
+  async step(count = 1, control = {}) {
+    this.state = await this.#worker.run('step', { count }, control);
     return this.state;
   }
-  step(count = 1, control) { return this.#move('step', { count }, control); }
-  restore(tick, control) { return this.#move('restore', { tick }, control); }
-  snapshot(layers = {}) { return this.#run('snapshot', { layers }); }
-  finish(control) { return this.#run('finish', {}, control); }
-  async clone() { return this.#adopt(await this.#run('clone', {})); }
+  snapshot(layers = {}) { return this.#worker.run('snapshot', { layers }); }
+  finish(control) { return this.#worker.run('finish', {}, control); }
 
   /** Snapshots after every `every` ticks until the end: `for await (const s of session.run())`. */
-  async *run({ layers = { triangles: true, quads: true }, every = 1, signal } = {}) {
+  async *run({ layers = this.defaultLayers, every = 1, signal } = {}) {
     while (this.state.stage !== 'done') {
       await this.step(every, { signal });
       yield await this.snapshot(layers);
@@ -177,12 +185,28 @@ class RemoteSession {
   async dispose() {
     if (this.#disposed) return;
     this.#disposed = true;
-    this.#released();
-    await this.#run('dispose', {});
+    this.#worker.lost();
+    await this.#worker.run('dispose', {});
   }
 }
-if (Symbol.asyncDispose)
-  RemoteSession.prototype[Symbol.asyncDispose] = RemoteSession.prototype.dispose;
+
+/** A session on a domain: it also goes back, and can be copied. */
+class RemoteSession extends RemoteRun {
+  #worker;
+
+  constructor(worker, state) {
+    super(worker, state);
+    this.#worker = worker;
+  }
+
+  get defaultLayers() { return { triangles: true, quads: true }; }
+  async restore(tick, control) {
+    this.state = await this.#worker.run('restore', { tick }, control);
+    return this.state;
+  }
+  async clone() { return this.#worker.adopt(await this.#worker.run('clone', {})); }
+}
+if (Symbol.asyncDispose) RemoteRun.prototype[Symbol.asyncDispose] = RemoteRun.prototype.dispose;
 
 function cancelled(signal) {
   return new LpquadError('CANCELLED', 'The run was cancelled.', {}, { cause: signal.reason });

@@ -2,7 +2,7 @@
 // Judges the form only, and names the path of what does not fit; the core judges the geometry.
 import { LpquadError } from './errors.js';
 
-const fail = (path, expected, value) => {
+export const fail = (path, expected, value) => {
   throw new LpquadError('PARSE_ERROR', `${path} must be ${expected}, not ${describe(value)}.`);
 };
 
@@ -15,16 +15,16 @@ function describe(value) {
   return String(value);
 }
 
-const isList = (value) =>
+export const isList = (value) =>
   Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
 
-function checkList(value, path, expected) {
+export function checkList(value, path, expected) {
   if (!isList(value)) fail(path, expected, value);
   return value;
 }
 
 /** Refuses members that nothing would read: a misspelt one would be missed in silence. */
-function checkObject(value, path, known) {
+export function checkObject(value, path, known) {
   if (value === null || typeof value !== 'object') fail(path, 'an object', value);
   for (const key of Object.keys(value))
     if (!known.includes(key))

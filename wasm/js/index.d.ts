@@ -1,13 +1,24 @@
 /// <reference lib="esnext.disposable" />
 /**
- * lpquad: quadrilateral meshes of plane domains.
+ * lpquad: quadrilateral meshes of plane domains and of surfaces in space.
  *
- * Coordinates are pairs of doubles in the caller's unit of length, which is also the unit of every
- * size. Indices count from 0. Shapes in comments: #V points, #Q quads, #T triangles, #E edges.
+ * Coordinates are pairs or threes of doubles in the caller's unit of length, which is also the unit of
+ * every size. Indices count from 0. Shapes in comments: #V points, #Q quads, #T triangles, #E edges.
  */
-import type { ErrorCode, MeshFormat, DomainFormat, MeshOptions, WriteOptions } from './generated.js';
+import type {
+  ErrorCode, MeshFormat, DomainFormat, MeshOptions, SurfaceFormat, SurfaceMeshFormat, SurfaceOptions, WriteOptions,
+} from './generated.js';
+import type {
+  ReadSurfaceOptions, Surface, SurfaceCallOptions, SurfaceInput, SurfaceMesh, SurfaceMeshResult, SurfaceSession,
+} from './surface.js';
 
-export type { ErrorCode, MeshFormat, DomainFormat, MeshOptions, WriteOptions };
+export type {
+  ErrorCode, MeshFormat, DomainFormat, MeshOptions, SurfaceFormat, SurfaceMeshFormat, SurfaceOptions, WriteOptions,
+};
+export type {
+  ReadSurfaceOptions, Surface, SurfaceCallOptions, SurfaceInput, SurfaceLayers, SurfaceMesh, SurfaceMeshResult,
+  SurfaceProgress, SurfaceReport, SurfaceSession, SurfaceSnapshot, SurfaceStage,
+} from './surface.js';
 
 /** A closed loop: `[[x, y], …]` or flat `[x0, y0, x1, y1, …]`. The first point is not repeated. */
 export type Loop = ReadonlyArray<readonly [number, number]> | ArrayLike<number>;
@@ -265,10 +276,14 @@ export interface Description {
   /** Which WebAssembly runs: with SIMD, without, or the caller's own. All give the same bytes. */
   build: 'simd' | 'plain' | 'custom';
   options: OptionInfo[];
+  surfaceOptions: OptionInfo[];
   writeOptions: OptionInfo[];
   errorCodes: ErrorCode[];
   meshFormats: MeshFormat[];
   domainFormats: DomainFormat[];
+  surfaceFormats: SurfaceFormat[];
+  /** The mesh formats that hold meshes on surfaces. */
+  surfaceMeshFormats: SurfaceMeshFormat[];
 }
 
 export interface ReadOptions {
@@ -299,8 +314,26 @@ export interface Lpquad extends Description {
   start(domain: Domain, options?: Omit<MeshCallOptions, 'onProgress'> & { memory?: boolean }): Session;
   /** A domain from the text or bytes of a file. The code for it is loaded on first use. */
   readDomain(source: string | Uint8Array | ArrayBuffer, options?: ReadOptions): Promise<ReadDomain>;
-  /** A mesh as the text of a file. */
-  writeMesh(mesh: Mesh, format: MeshFormat, options?: WriteOptions): string;
+  /**
+   * Triangles from the text or bytes of a file, as they are there: meshSurface repairs them. Polygons are divided,
+   * and what is left out is said in `warnings`. The code for it is loaded on first use.
+   */
+  readSurface(source: string | Uint8Array | ArrayBuffer, options?: ReadSurfaceOptions): Promise<Surface>;
+  /**
+   * Whether a file holds a surface rather than a domain in the plane: by its name's ending; of .msh files, by whether
+   * their faces leave the plane z = 0; without a telling name, by the content.
+   */
+  isSurfaceFile(source: string | Uint8Array | ArrayBuffer, options?: { name?: string }): Promise<boolean>;
+  /**
+   * Meshes a surface with quads alone. Cost: about 150 µs per quad; the code is loaded on first use.
+   * @throws {LpquadError} codes as in `errorCodes`; the instance stays usable.
+   */
+  meshSurface(surface: SurfaceInput, options?: SurfaceCallOptions): Promise<SurfaceMeshResult>;
+  /** The same in steps. */
+  startSurface(surface: SurfaceInput, options?: SurfaceOptions): Promise<SurfaceSession>;
+  /** A mesh as the text of a file; a mesh on a surface in one of `surfaceMeshFormats`. */
+  writeMesh(mesh: SurfaceMesh, format: SurfaceMeshFormat, options?: WriteOptions): string;
+  writeMesh(mesh: Mesh & { dimension?: 2 }, format: MeshFormat, options?: WriteOptions): string;
 }
 
 /** Where the WebAssembly comes from, if not from the file beside the module. */
@@ -309,8 +342,10 @@ export interface WasmSource {
   wasmBinary?: ArrayBuffer | Uint8Array;
   /** A `WebAssembly.Module`; not named so, since projects for Node alone may not declare it. */
   wasmModule?: object;
-  /** Of lpquad-readers.wasm, which readDomain loads. */
+  /** Of lpquad-readers.wasm, which readDomain and readSurface load. */
   readersUrl?: string | URL;
+  /** Of lpquad-surface.wasm, which meshSurface and startSurface load. */
+  surfaceUrl?: string | URL;
 }
 
 /** Loads the library; the same instance for the same source, however often it is called. */

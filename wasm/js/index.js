@@ -4,9 +4,10 @@ import { urls } from './urls.js';
 
 export { LpquadError } from './errors.js';
 
-export function createLpquad(source = {}) {
-  return createOnce(source, {
-    own: (name) => compileUrl(urls[name]()),
-    readersGlue: () => import('./readers-glue.js'),
-  });
-}
+const files = {
+  own: (name) => compileUrl(urls[name]()),
+  readersGlue: () => import('./readers-glue.js'),
+  surfaceGlue: () => import('./surface-glue.js'),
+};
+
+export const createLpquad = async (source = {}) => createOnce(source, files);

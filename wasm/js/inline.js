@@ -1,19 +1,20 @@
 // `lpquad/inline`: the WebAssembly inside the JavaScript, for places where no second file can be
 // loaded. Larger, and without SIMD.
-import files from './inline-wasm.js';
+import { compileBase64 } from './base64.js';
+import { LpquadError } from './errors.js';
+import wasm from './inline-wasm.js';
 import { createOnce } from './load.js';
 import createReaders from './readers-glue.js';
 
 export { LpquadError } from './errors.js';
 
-async function compileInline(name) {
-  const base64 = files[name === 'lpquad' ? 'lpquad-plain' : name];
-  return WebAssembly.compile(Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)));
-}
+const files = {
+  plain: true,
+  own: (name) => compileBase64(wasm[name]),
+  readersGlue: async () => ({ default: createReaders }),
+  surfaceGlue: async () => {
+    throw new LpquadError('BAD_WASM', 'lpquad/inline cannot mesh surfaces: import lpquad/inline-surface.');
+  },
+};
 
-export function createLpquad(source = {}) {
-  return createOnce(source, {
-    own: compileInline,
-    readersGlue: async () => ({ default: createReaders }),
-  });
-}
+export const createLpquad = async (source = {}) => createOnce(source, files);

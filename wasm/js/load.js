@@ -71,16 +71,18 @@ function once(make) {
   };
 }
 
-const byAddress = new Map(), byObject = new WeakMap();
+const kept = new WeakMap();  // per entry: the inline ones have other files
 
 /** Where the instance of this source is kept, and under which key. */
-function place({ wasmModule, wasmBinary, wasmUrl = '', readersUrl = '' }) {
+function place(files, { wasmModule, wasmBinary, wasmUrl = '', readersUrl = '', surfaceUrl = '' }) {
+  if (!kept.has(files)) kept.set(files, { byAddress: new Map(), byObject: new WeakMap() });
+  const { byAddress, byObject } = kept.get(files);
   const object = wasmModule ?? wasmBinary;
-  return object ? [byObject, object] : [byAddress, `${wasmUrl} ${readersUrl}`];
+  return object ? [byObject, object] : [byAddress, [wasmUrl, readersUrl, surfaceUrl].join(' ')];
 }
 
 function checkSource(source) {
-  checkNames(source, ['wasmUrl', 'wasmBinary', 'wasmModule', 'readersUrl'], 'source of createLpquad');
+  checkNames(source, ['wasmUrl', 'wasmBinary', 'wasmModule', 'readersUrl', 'surfaceUrl'], 'source of createLpquad');
   const { wasmModule, wasmBinary } = source;
   if (wasmModule !== undefined && !(wasmModule instanceof WebAssembly.Module))
     throw new LpquadError('BAD_WASM', 'wasmModule must be a WebAssembly.Module.');
@@ -91,31 +93,38 @@ function checkSource(source) {
 /**
  * One instance per source, however often it is asked for; a failure is not remembered.
  * @param {import('./index.js').WasmSource} source  of the caller's
- * @param {object} files  how this entry finds the package's own files
- * @param {(name: string) => Promise<WebAssembly.Module>} files.own  lpquad, -plain, -readers
+ * @param {object} files  how this entry finds the package's own files; one object per entry
+ * @param {(name: string) => Promise<WebAssembly.Module>} files.own  of the files in urls.js
  * @param {(url: string | URL) => Promise<WebAssembly.Module>} [files.from]  the caller's addresses
  * @param {() => Promise<{default: Function}>} files.readersGlue
+ * @param {() => Promise<{default: Function}>} files.surfaceGlue
+ * @param {boolean} [files.plain]  there is no build with SIMD
  */
-export async function createOnce(source, { own, from = compileUrl, readersGlue }) {
+export async function createOnce(source, files) {
   checkSource(source);
-  const { wasmModule, wasmBinary, wasmUrl, readersUrl } = source;
-  const [instances, key] = place(source);
-  if (!instances.has(key)) {
-    const build = wasmModule || wasmBinary || wasmUrl !== undefined ? 'custom'
-      : hasSimd() ? 'simd' : 'plain';
-    const compile = async () => {
-      if (wasmModule) return wasmModule;
-      if (wasmBinary) return compileBytes(wasmBinary, 'wasmBinary');
-      if (wasmUrl !== undefined) return from(wasmUrl);
-      return own(build === 'simd' ? 'lpquad' : 'lpquad-plain');
-    };
-    const readers = once(async () => {
-      const glue = await readersGlue();
-      const compiled = readersUrl === undefined ? own('lpquad-readers') : from(readersUrl);
-      return instantiate(glue.default, await compiled);
-    });
-    instances.set(key, once(async () =>
-      new Lpquad(await instantiate(createModule, await compile()), build, readers)));
-  }
+  const [instances, key] = place(files, source);
+  if (!instances.has(key)) instances.set(key, once(() => create(source, files)));
   return instances.get(key)();
+}
+
+async function create({ wasmModule, wasmBinary, wasmUrl, readersUrl, surfaceUrl }, files) {
+  const { own, from = compileUrl } = files;
+  const simd = !files.plain && hasSimd();
+  const ending = simd ? '' : '-plain';
+  const compile = async () => {
+    if (wasmModule) return wasmModule;
+    if (wasmBinary) return compileBytes(wasmBinary, 'wasmBinary');
+    return wasmUrl !== undefined ? from(wasmUrl) : own(`lpquad${ending}`);
+  };
+  // What is needed later, if at all.
+  const later = (glue, url, name) => once(async () => {
+    const { default: createLater } = await glue();
+    return instantiate(createLater, await (url === undefined ? own(name) : from(url)));
+  });
+  const custom = wasmModule || wasmBinary || wasmUrl !== undefined;
+  const build = custom ? 'custom' : simd ? 'simd' : 'plain';
+  return new Lpquad(await instantiate(createModule, await compile()), build, {
+    readers: later(files.readersGlue, readersUrl, 'lpquad-readers'),
+    surfaces: later(files.surfaceGlue, surfaceUrl, `lpquad-surface${ending}`),
+  });
 }

@@ -28,10 +28,11 @@ function compileAny(wasmUrl) {
   return compileFile(text.startsWith('file:') ? new URL(text) : text);
 }
 
-export function createLpquad(source = {}) {
-  return createOnce(source, {
-    own: (name) => compileFile(urls[name](), outside),
-    from: compileAny,
-    readersGlue: () => import('./readers-glue.js'),
-  });
-}
+const files = {
+  own: (name) => compileFile(urls[name](), outside),
+  from: compileAny,
+  readersGlue: () => import('./readers-glue.js'),
+  surfaceGlue: () => import('./surface-glue.js'),
+};
+
+export const createLpquad = async (source = {}) => createOnce(source, files);

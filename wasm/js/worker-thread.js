@@ -21,14 +21,22 @@ export function serve(port, createLpquad) {
     while (done < count && session.state.stage !== 'done') {
       if (cancelled.has(id)) throw new LpquadError('CANCELLED', 'The run was cancelled.');
       const start = performance.now();
-      const { stage, tick, iteration, maxIterations, energy } =
-        session.step(Math.min(slice, count - done));
+      const { gradientNorm, tau, ...progress } = session.step(Math.min(slice, count - done));
       done += slice;
       const elapsed = performance.now() - start;
       slice = Math.max(1, Math.min(64, Math.round(slice * sliceMilliseconds / (elapsed + 1))));
-      if (withProgress)
-        port.postMessage({ id, progress: { stage, tick, iteration, maxIterations, energy } }, []);
+      if (withProgress) port.postMessage({ id, progress }, []);
       await breath();
+    }
+  }
+
+  /** A whole run, by a session of its own. */
+  async function complete(id, session, withProgress) {
+    try {
+      await advance(id, session, Infinity, withProgress);
+      return session.finish();
+    } finally {
+      session.dispose();
     }
   }
 
@@ -43,19 +51,18 @@ export function serve(port, createLpquad) {
       lpquad = await createLpquad(source);
       return { ...lpquad };  // what it says about itself; private members stay
     },
-    async meshDomain({ id, domain, options, withProgress }) {
-      const session = lpquad.start(domain, { ...options, memory: false });
-      try {
-        await advance(id, session, Infinity, withProgress);
-        return session.finish();
-      } finally {
-        session.dispose();
-      }
-    },
+    meshDomain: ({ id, domain, options, withProgress }) =>
+      complete(id, lpquad.start(domain, { ...options, memory: false }), withProgress),
+    meshSurface: async ({ id, surface, options, withProgress }) =>
+      complete(id, await lpquad.startSurface(surface, options), withProgress),
     // A session is known by the number of the call that made it: no other call ever has it, not
     // even in the next worker.
     start({ id, domain, options }) {
       sessions.set(id, lpquad.start(domain, options));
+      return { session: id, state: find(id).state };
+    },
+    async startSurface({ id, surface, options }) {
+      sessions.set(id, await lpquad.startSurface(surface, options));
       return { session: id, state: find(id).state };
     },
     async step({ id, session, count, withProgress }) {
@@ -77,6 +84,8 @@ export function serve(port, createLpquad) {
       sessions.get(session)?.dispose();
       sessions.delete(session);
     },
+    readSurface: ({ bytes, options }) => lpquad.readSurface(bytes, options),
+    isSurfaceFile: ({ bytes, options }) => lpquad.isSurfaceFile(bytes, options),
     readDomain: ({ bytes, options }) => lpquad.readDomain(bytes, options),
     writeMesh: ({ mesh, format, options }) => lpquad.writeMesh(mesh, format, options),
   };

@@ -6,7 +6,8 @@
  */
 import type {
   Description, Domain, Layers, Mesh, MeshCallOptions, MeshFormat, MeshResult, Progress, ReadDomain,
-  ReadOptions, Snapshot, State, WasmSource, WriteOptions,
+  ReadOptions, ReadSurfaceOptions, Snapshot, State, Surface, SurfaceInput, SurfaceLayers, SurfaceMesh, SurfaceMeshFormat,
+  SurfaceMeshResult, SurfaceOptions, SurfaceProgress, SurfaceSnapshot, WasmSource, WriteOptions,
 } from './index.js';
 
 export { LpquadError } from './index.js';
@@ -14,11 +15,12 @@ export { LpquadError } from './index.js';
 /** The worker takes no functions: sizes are given as samples. */
 export type WorkerMeshOptions = Omit<MeshCallOptions, 'sizeAt' | 'angleAt' | 'onProgress'>;
 
-export interface Control {
+export interface Control<P = Progress & { tick: number }> {
   /** Ends the run with the error CANCELLED, whose `cause` is the signal's reason. */
   signal?: AbortSignal;
-  onProgress?: (progress: Progress & { tick: number }) => void;
+  onProgress?: (progress: P) => void;
 }
+export type SurfaceControl = Control<SurfaceProgress>;
 
 export interface WorkerSession {
   /** As of the last call that came back. */
@@ -34,13 +36,30 @@ export interface WorkerSession {
   [Symbol.asyncDispose](): Promise<void>;
 }
 
+export interface WorkerSurfaceSession {
+  /** As of the last call that came back. */
+  readonly state: SurfaceProgress;
+  step(ticks?: number, control?: SurfaceControl): Promise<SurfaceProgress>;
+  snapshot(layers?: SurfaceLayers): Promise<SurfaceSnapshot>;
+  finish(control?: SurfaceControl): Promise<SurfaceMeshResult>;
+  /** Snapshots after every `every` (1) ticks until the end. */
+  run(options?: { layers?: SurfaceLayers; every?: number; signal?: AbortSignal }): AsyncGenerator<SurfaceSnapshot>;
+  dispose(): Promise<void>;
+  [Symbol.asyncDispose](): Promise<void>;
+}
+
 export interface LpquadWorker {
   /** Starts the worker, unless it runs. */
   ready(): Promise<Description>;
   meshDomain(domain: Domain, options?: WorkerMeshOptions, control?: Control): Promise<MeshResult>;
   start(domain: Domain, options?: WorkerMeshOptions, control?: Control): Promise<WorkerSession>;
   readDomain(source: string | Uint8Array | ArrayBuffer, options?: ReadOptions): Promise<ReadDomain>;
-  writeMesh(mesh: Mesh, format: MeshFormat, options?: WriteOptions): Promise<string>;
+  readSurface(source: string | Uint8Array | ArrayBuffer, options?: ReadSurfaceOptions): Promise<Surface>;
+  isSurfaceFile(source: string | Uint8Array | ArrayBuffer, options?: { name?: string }): Promise<boolean>;
+  meshSurface(surface: SurfaceInput, options?: SurfaceOptions, control?: SurfaceControl): Promise<SurfaceMeshResult>;
+  startSurface(surface: SurfaceInput, options?: SurfaceOptions, control?: SurfaceControl): Promise<WorkerSurfaceSession>;
+  writeMesh(mesh: SurfaceMesh, format: SurfaceMeshFormat, options?: WriteOptions): Promise<string>;
+  writeMesh(mesh: Mesh & { dimension?: 2 }, format: MeshFormat, options?: WriteOptions): Promise<string>;
   /** Open calls and sessions end with WORKER_LOST. */
   terminate(): void;
   [Symbol.dispose](): void;

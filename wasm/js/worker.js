@@ -10,7 +10,7 @@ const ownWorker = () =>
 /** Addresses are the page's; the worker has another base. */
 function absolute(source) {
   const base = globalThis.document?.baseURI ?? globalThis.location?.href;
-  const urls = ['wasmUrl', 'readersUrl'].filter((name) => source[name] !== undefined);
+  const urls = ['wasmUrl', 'readersUrl', 'surfaceUrl'].filter((name) => source[name] !== undefined);
   return { ...source,
     ...Object.fromEntries(urls.map((name) => [name, new URL(source[name], base).href])) };
 }

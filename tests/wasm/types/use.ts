@@ -1,7 +1,10 @@
 // Never run: what must compile, and what must not. Checked by tsc, strict, for Node and bundlers.
 import { createLpquad, LpquadError } from 'lpquad';
-import type { Domain, ErrorCode, Lpquad, Mesh, MeshFormat, MeshOptions, MeshResult, Snapshot } from 'lpquad';
+import type {
+  Domain, ErrorCode, Lpquad, Mesh, MeshFormat, MeshOptions, MeshResult, Snapshot, Surface, SurfaceMeshResult, SurfaceSession,
+} from 'lpquad';
 import { createLpquad as createInline } from 'lpquad/inline';
+import { createLpquad as createInlineSurface } from 'lpquad/inline-surface';
 import { createLpquadWorker } from 'lpquad/worker';
 
 declare const bytes: ArrayBuffer;
@@ -74,6 +77,47 @@ function lpquadOptions(lpquad: Lpquad): MeshOptions {
   return Object.fromEntries(lpquad.options.map((option) => [option.name, option.default]));
 }
 
+export async function surfaces(lpquad: Lpquad): Promise<void> {
+  await createLpquad({ surfaceUrl: '/lpquad-surface.wasm' });
+  const surface: Surface = await lpquad.readSurface(bytes, { name: 'part.stl' });
+  await lpquad.readSurface('', { format: 'off' });
+  // @ts-expect-error no such format
+  await lpquad.readSurface('', { format: 'step' });
+  const mesh: SurfaceMeshResult = await lpquad.meshSurface(surface, {
+    size: 1, featureAngle: 30, keepGroups: false, turn: 20, growth: 0.2, weld: 1e-7, effort: 'high',
+    onProgress: ({ stage, chart, charts }) => stage !== 'seams' && chart <= charts,
+  });
+  await lpquad.meshSurface({ points: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles: [0, 1, 2], groups: [0], groupNames: ['a'] });
+  // @ts-expect-error a point of a surface has three coordinates
+  await lpquad.meshSurface({ points: [[0, 0], [1, 0], [0, 1]], triangles: [0, 1, 2] });
+  // @ts-expect-error no such option of surfaces
+  await lpquad.meshSurface(surface, { norm: 6 });
+  // @ts-expect-error a promise
+  lpquad.meshSurface(surface).quads;
+  const { where, hash }: { where: Int32Array; hash: string } = { where: mesh.placeTriangles, hash: mesh.report.hash };
+  lpquad.writeMesh(mesh, 'inp') satisfies string;
+  // @ts-expect-error a picture is plane
+  lpquad.writeMesh(mesh, 'svg');
+  const more: number = mesh.surface.groups.length + (surface.groups?.length ?? 0) + where.length + hash.length;
+  const session: SurfaceSession = await lpquad.startSurface(surface, { size: more });
+  // @ts-expect-error the layer may not have been asked for
+  session.snapshot({ charts: true }).charts.uv;
+  session.snapshot({ crosses: true }).crosses?.axes satisfies Float64Array | undefined;
+  session.step(2).stage satisfies 'features' | 'field' | 'charts' | 'mesh' | 'seams' | 'done';
+  // @ts-expect-error forwards only
+  session.restore(1);
+  session[Symbol.dispose]();
+
+  const remote = createLpquadWorker();
+  const controller = new AbortController();
+  const far: SurfaceMeshResult = await remote.meshSurface(await remote.readSurface(bytes), { size: 1 },
+    { signal: controller.signal, onProgress: (progress) => progress.chart });
+  await remote.writeMesh(far, 'vtu');
+  const run = await remote.startSurface(surface);
+  for await (const snapshot of run.run({ layers: { quads: true } })) snapshot.quads?.eta satisfies Float64Array | undefined;
+  await run.dispose();
+}
+
 export async function worker(): Promise<void> {
   const remote = createLpquadWorker();
   createLpquadWorker({ wasmUrl: '/lpquad.wasm', worker: () => ({}) });
@@ -101,4 +145,4 @@ export function explain(error: unknown): string {
   return `${code} ${error.message} ${error.where.loop ?? ''} ${error.where.x ?? ''}`;
 }
 
-export const inline: Promise<Lpquad> = createInline();
+export const inline: Promise<Lpquad>[] = [createInline(), createInlineSurface()];

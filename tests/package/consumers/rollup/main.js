@@ -1,5 +1,6 @@
 import { createLpquad } from 'lpquad/inline';
+import { createLpquad as createWithSurfaces } from 'lpquad/inline-surface';
 
 import { report } from './report.js';
 
-report({ inline: createLpquad });
+report({ inline: createLpquad, surface: createWithSurfaces });

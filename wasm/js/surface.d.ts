@@ -1,0 +1,159 @@
+/// <reference lib="esnext.disposable" />
+/** Surfaces: what the calls readSurface, meshSurface and startSurface take and give. */
+import type { Mesh, Report, ReportedError } from './index.js';
+import type { SurfaceFormat, SurfaceOptions } from './generated.js';
+
+/** Triangles in space. */
+export interface Surface {
+  /** x0, y0, z0, x1, …  3 #V. */
+  points: Float64Array;
+  /** Corners, 3 #T. */
+  triangles: Uint32Array;
+  /** Part of the file (a face of a CAD model, a material) of each triangle, index into `groupNames`, #T. */
+  groups?: Int32Array;
+  /** Names as given; `''` = unnamed. */
+  groupNames?: string[];
+  /** Of readSurface: what the file holds beside and was left out. */
+  warnings?: ReportedError[];
+}
+
+/** What can be meshed: what readSurface gave, or triangles of your own. */
+export interface SurfaceInput {
+  /** `[[x, y, z], …]` or flat `[x0, y0, z0, x1, …]`. */
+  points: ReadonlyArray<readonly [number, number, number]> | ArrayLike<number>;
+  /** `[[a, b, c], …]` or flat. In any order and orientation; borders and several parts are fine. */
+  triangles: ReadonlyArray<readonly [number, number, number]> | ArrayLike<number>;
+  /** Borders between groups become edges of the mesh (`keepGroups`). */
+  groups?: ArrayLike<number>;
+  groupNames?: ReadonlyArray<string>;
+  /** Comments, ignored. */
+  name?: string;
+  description?: string;
+  warnings?: unknown;
+}
+
+export interface ReadSurfaceOptions {
+  /** File name, whose ending tells the format; without, the content does. */
+  name?: string;
+  format?: SurfaceFormat;
+}
+
+/** What comes next. */
+export type SurfaceStage = 'features' | 'field' | 'charts' | 'mesh' | 'seams' | 'done';
+
+/** Where a run on a surface is. A tick is a stage, or in `mesh` one step of the planar chain in one chart. */
+export interface SurfaceProgress {
+  stage: SurfaceStage;
+  tick: number;
+  /** Charts meshed so far, of so many; 0 until there are charts. */
+  chart: number;
+  charts: number;
+}
+
+export interface SurfaceCallOptions extends SurfaceOptions {
+  /** Called before every tick; returning false ends the run with the error CANCELLED. */
+  onProgress?: (progress: SurfaceProgress) => boolean | void;
+}
+
+/**
+ * A mesh on a surface, in the form of one in the plane. Regions are the faces of the surface, between its features;
+ * `regions` names them after their group, or "face 3". Edges are features and borders, curve by curve, with tags
+ * "curve 1", …; a face is on their left wherever there is one on a side only.
+ */
+export interface SurfaceMesh extends Mesh {
+  dimension: 3;
+  /** x0, y0, z0, x1, …  3 #V. */
+  points: Float64Array;
+  /** Where each vertex lies on the surface as repaired: triangle, #V, and the weights of its corners, 3 #V. */
+  placeTriangles: Int32Array;
+  placeWeights: Float64Array;
+}
+
+export interface SurfaceMeshResult extends SurfaceMesh {
+  /** As repaired: welded, without doubles and triangles without height, oriented. */
+  surface: Required<Omit<Surface, 'warnings'>>;
+  report: SurfaceReport;
+}
+
+export interface SurfaceReport {
+  vertices: number;
+  quads: number;
+  triangles: number;
+  /** Of the surface, between features. */
+  faces: number;
+  curves: number;
+  corners: number;
+  /** Edges of the surface that are features or borders. */
+  featureEdges: number;
+  charts: number;
+  singularities: number;
+  /** Of sizes made smaller where a chart had no mesh. */
+  rounds: number;
+  windowsOpened: number;
+  windowsAccepted: number;
+  targetSize: number;
+  /** Fingerprint of points and faces, 16 hexadecimal digits: equal meshes, equal hashes. */
+  hash: string;
+  /** Measured in space; `nonconvex` quads are said in `warnings`. */
+  quality: Report['quality'];
+  size: Report['size'];
+  /** What was done to the triangles as given: counts by kind. */
+  repairs: Record<string, number>;
+  options: Required<SurfaceOptions>;
+  cpuSeconds: Record<string, number>;
+  warnings: ReportedError[];
+  [more: string]: unknown;
+}
+
+/** Names of the layers to take; see SurfaceSnapshot. */
+export interface SurfaceLayers {
+  surface?: boolean;
+  features?: boolean;
+  sizes?: boolean;
+  crosses?: boolean;
+  charts?: boolean;
+  quads?: boolean;
+}
+
+/** Layers are empty until their stage is over, and stay from then on. Vertices and triangles are those of `surface`. */
+export interface SurfaceSnapshot extends SurfaceProgress {
+  /** The surface as repaired. */
+  surface?: SurfaceMeshResult['surface'];
+  /**
+   * Edges a, b that the mesh follows, 2 #E, and why: 1 sharp, 2 marked, 3 border of a group, 4 border or sheets that meet.
+   * Corners are vertices; `faces` has the face of each triangle.
+   */
+  features?: { edges: Uint32Array; kinds: Int32Array; corners: Uint32Array; faces: Int32Array };
+  /** Target edge length at each vertex. */
+  sizes?: { sizes: Float64Array };
+  /**
+   * One arm of the cross in the plane of each triangle, a unit vector, 3 #T; the others are quarter turns about the
+   * normal. Singularities are vertices; indices by quarters of a turn, +1 where three quads meet, -1 where five do.
+   */
+  crosses?: { axes: Float64Array; singularities: Uint32Array; indices: Int32Array };
+  /**
+   * The chart of each triangle, #T, and the corners of each in its chart's own plane, u, v, 6 #T, in about the lengths of
+   * the surface. `cuts` are the borders of charts that are no features, 2 per edge.
+   */
+  charts?: { charts: Int32Array; uv: Float64Array; cuts: Uint32Array };
+  /**
+   * The quads of the charts meshed so far, then of all. Per face (quads first, then triangles) its region and η, per
+   * vertex its valence and what it may do: 0 free, 1 on a feature or border, 2 a corner; `edges` as in the result.
+   */
+  quads?: {
+    points: Float64Array; quads: Uint32Array; triangles: Uint32Array; regions: Int32Array; eta: Float64Array;
+    valence: Int32Array; pinned: Int32Array; edges: Uint32Array;
+  };
+}
+
+/** A run on a surface that can be stepped and looked into. Dispose of it when done. */
+export interface SurfaceSession {
+  readonly state: SurfaceProgress;
+  /** Up to `ticks` (1) ticks. */
+  step(ticks?: number): SurfaceProgress;
+  snapshot(layers?: SurfaceLayers): SurfaceSnapshot;
+  /** Runs to the end. */
+  finish(onProgress?: SurfaceCallOptions['onProgress']): SurfaceMeshResult;
+  dispose(): void;
+  [Symbol.dispose](): void;
+}
