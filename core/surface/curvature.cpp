@@ -13,7 +13,7 @@ namespace {
 constexpr double least_area_ratio = 1e-6;
 
 // Normals of the fans, exact on a sphere whatever the triangles [Max 1999].
-std::vector<Vec3> fan_normals(const SurfaceMesh& mesh, const Fans& fans) {
+std::vector<Vec3> fan_normals(const SurfaceMesh& mesh, const SurfaceFans& fans) {
   std::vector<Vec3> normals(fans.count());
   for (Index f = 0; f < fans.count(); ++f) {
     for (const Index e : fans.corners.row(f)) {
@@ -44,7 +44,7 @@ SecondForm form_of(const TriangleLayout& layout, const TriangleAxes& axes, const
 }  // namespace
 
 std::vector<SecondForm> second_forms(const SurfaceMesh& mesh, std::span<const char> feature) {
-  const Fans fans = fans_of(mesh.twins, feature);
+  const SurfaceFans fans = fans_of(mesh.twins, feature);
   const std::vector<Vec3> normals = fan_normals(mesh, fans);
   std::vector<SecondForm> forms(mesh.triangles.size());
   for (Index t = 0; t < mesh.triangle_count(); ++t) {

@@ -2,11 +2,11 @@
 
 namespace lpq {
 
-Fans fans_of(std::span<const Index> twins, std::span<const char> barrier) {
+SurfaceFans fans_of(std::span<const Index> twins, std::span<const char> barrier) {
   const auto blocked = [&](Index e) {
     return twins[e] == none || (!barrier.empty() && barrier[e]);
   };
-  Fans fans;
+  SurfaceFans fans;
   fans.of_corner.assign(twins.size(), none);
   fans.corners.values.reserve(twins.size());
   for (Index e = 0; e < static_cast<Index>(twins.size()); ++e) {

@@ -8,7 +8,7 @@
 
 namespace lpq {
 
-struct Fans {
+struct SurfaceFans {
   Csr<Index> corners;            // per fan: half-edges that leave it, counter-clockwise
   std::vector<char> closed;      // #fans  all round the vertex
   std::vector<Index> of_corner;  // #half-edges
@@ -18,6 +18,6 @@ struct Fans {
 
 /// Fans that cross no barrier: a half-edge without a twin, or one marked in `barrier` (both sides
 /// marked; empty for none). Numbered by their first corner. An open fan begins at its barrier.
-Fans fans_of(std::span<const Index> twins, std::span<const char> barrier = {});
+SurfaceFans fans_of(std::span<const Index> twins, std::span<const char> barrier = {});
 
 }  // namespace lpq

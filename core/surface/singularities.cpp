@@ -58,7 +58,7 @@ Vec2 half_corner(const TriangleLayout& layout, Index k) {
 std::vector<SurfaceSingularity> find_surface_singularities(const SurfaceMesh& mesh,
                                                            std::span<const Vec2> z) {
   const std::vector<Vec2> half = half_turns(mesh, z);
-  const Fans fans = fans_of(mesh.twins);
+  const SurfaceFans fans = fans_of(mesh.twins);
   std::vector<SurfaceSingularity> result;
   for (Index f = 0; f < fans.count(); ++f) {
     if (!fans.closed[f]) continue;

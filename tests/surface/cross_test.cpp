@@ -124,7 +124,7 @@ TEST_CASE("the indices of the shared closed surfaces sum to 4 chi") {
     const SurfaceMesh mesh = read_obj(file);
     if (mesh.triangle_count() > 12000 || !closed(mesh)) continue;
     INFO(file);
-    const Fans fans = fans_of(mesh.twins);
+    const SurfaceFans fans = fans_of(mesh.twins);
     const int chi = fans.count() - mesh.triangle_count() / 2;  // vertices may be pinched
     CHECK(total_index(solve_surface_cross(mesh, sharp_edges(mesh))) == 4 * chi);
     ++seen;

@@ -58,7 +58,7 @@ Part PartTaker::take(std::vector<Index> triangles, std::span<const char> cut) {
   }
   for (const Index t : part.triangles) own_[t] = none;
 
-  const Fans fans = fans_of(part.twins);
+  const SurfaceFans fans = fans_of(part.twins);
   for (Index f = 0; f < fans.count(); ++f)
     part.vertex.push_back(mesh_.origin(part.on_surface(fans.corners.row(f)[0])));
   part.corners.resize(count);

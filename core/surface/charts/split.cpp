@@ -146,7 +146,7 @@ std::vector<Index> Splitter::far_pieces(const Part& part, Index pieces, double b
 // Dijkstra along edges; it ends at the first vertex of another loop, so the way touches borders
 // with its ends only.
 std::vector<Index> Splitter::way_to_next_loop(const Part& part) const {
-  const Fans fans = fans_of(part.twins);  // numbered as the part's vertices
+  const SurfaceFans fans = fans_of(part.twins);  // numbered as the part's vertices
   std::vector<Index> loop_of(part.vertex.size(), none);
   for (Index loop = 0; loop < part.loops.rows(); ++loop)
     for (const Index e : part.loops.row(loop)) loop_of[part.origin(e)] = loop;
