@@ -30,7 +30,7 @@ class JsSurfaceSession {
     js.set("stage", std::string(stage_name(mesher_.stage())));
     js.set("tick", ticks_);
     js.set("chart", mesher_.charts_meshed());
-    js.set("charts", static_cast<Index>(mesher_.atlas().charts.size()));
+    js.set("chartCount", static_cast<Index>(mesher_.atlas().charts.size()));
     return js;
   }
 

@@ -9,7 +9,7 @@ import { createLpquad, dist, path } from './support.mjs';
 
 const lpquad = await createLpquad();
 // Bytes after gzip -9; what meshes surfaces is loaded by those who do.
-const wasmBudget = (name) => (name.startsWith('lpquad-surface') ? 460 : 300) * 1024;
+const wasmBudget = (name) => (name.startsWith('lpquad-surface') ? 400 : 300) * 1024;
 const text = (file) => readFileSync(dist(file), 'utf8');
 const node = (...args) => spawnSync(process.execPath, args, { encoding: 'utf8', cwd: path('') });
 

@@ -178,7 +178,7 @@ test('progress names the stages in order, false ends the run, and exceptions com
   assert.ok(places.every((at, i) => at >= 0 && (i === 0 || places[i - 1] <= at)));
   assert.deepEqual(new Set(places), new Set(order.keys()));
   assert.ok(seen.every(({ tick }, i) => tick === i));
-  assert.ok(seen.every(({ chart, charts, stage }) => chart <= charts && (stage !== 'seams' || chart === charts)));
+  assert.ok(seen.every(({ chart, chartCount, stage }) => chart <= chartCount && (stage !== 'seams' || chart === chartCount)));
   let left = 5;
   await rejectionOf('CANCELLED', lpquad.meshSurface(box, { ...options, onProgress: () => left-- > 0 }));
   const mine = new RangeError('mine');
@@ -211,7 +211,7 @@ test('a session shows what every stage has made, and ends where the direct call 
     assert.ok(Math.abs(axis[0] * normal[0] + axis[1] * normal[1] + axis[2] * normal[2]) < 1e-12);
   }
   // Every triangle is in a chart, and turns the same way in its plane.
-  assert.ok(charts.charts.every((chart) => chart >= 0 && chart < session.state.charts));
+  assert.ok(charts.charts.every((chart) => chart >= 0 && chart < session.state.chartCount));
   assert.equal(charts.uv.length, 6 * triangles);
   for (let t = 0; t < triangles; ++t) {
     const [ax, ay, bx, by, cx, cy] = charts.uv.subarray(6 * t, 6 * t + 6);

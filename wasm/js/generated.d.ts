@@ -98,6 +98,79 @@ export interface MeshOptions {
   maxElements?: number;
 }
 
+export interface SurfaceOptions {
+  /**
+   * Target edge length; 0 gives about 3000 quads.
+   * Unit: length.
+   * Range: 0 to 1e+300.
+   * @default 0
+   */
+  size?: number;
+  /**
+   * Edges that bend by more are kept as edges of the mesh.
+   * Unit: degrees.
+   * Range: 0 to 180.
+   * @default 40
+   */
+  featureAngle?: number;
+  /**
+   * Borders between the groups of the file are kept as edges.
+   * @default true
+   */
+  keepGroups?: boolean;
+  /**
+   * Smaller quads where the surface would turn by more over one; 0 = not asked.
+   * Unit: degrees.
+   * Range: 0 to 90.
+   * @default 0
+   */
+  turn?: number;
+  /**
+   * Largest slope of the size field.
+   * Range: 0.01 to 10.
+   * @default 0.3
+   */
+  growth?: number;
+  /**
+   * Points nearer than this share of the diagonal become one.
+   * Range: 0 to 0.01.
+   * @default 1e-10
+   */
+  weld?: number;
+  /**
+   * high: irregular vertices are moved about and cancelled for much longer.
+   * @default "normal"
+   */
+  effort?: 'normal' | 'high';
+  /**
+   * Seed of random choices.
+   * A whole number.
+   * Range: 0 to 9007199254740991.
+   * @default 1
+   */
+  seed?: number;
+  /**
+   * What keeping to the target size is worth beside right angles; with 0 only the angles count.
+   * Range: 0 to 10.
+   * @default 0.11
+   */
+  sizeWeight?: number;
+  /**
+   * Iterations of the final smoothing; -1 leaves it to the mesher.
+   * A whole number.
+   * Range: -1 to 10000.
+   * @default -1
+   */
+  smoothing?: number;
+  /**
+   * Refuse before allocating when more elements than this are expected.
+   * A whole number.
+   * Range: 1 to 100000000.
+   * @default 10000000
+   */
+  maxElements?: number;
+}
+
 export interface WriteOptions {
   /**
    * Version of .msh files.
@@ -139,3 +212,7 @@ export type ErrorCode =
 export type MeshFormat = 'obj' | 'msh' | 'vtu' | 'vtk' | 'inp' | 'su2' | 'bdf' | 'ply' | 'geojson' | 'svg' | 'json';
 
 export type DomainFormat = 'json' | 'geojson' | 'svg' | 'poly' | 'msh' | 'dxf';
+
+export type SurfaceFormat = 'obj' | 'off' | 'stl' | 'ply' | 'msh';
+
+export type SurfaceMeshFormat = 'obj' | 'msh' | 'vtu' | 'vtk' | 'inp' | 'bdf' | 'ply' | 'geojson' | 'json';

@@ -47,7 +47,7 @@ export interface SurfaceProgress {
   tick: number;
   /** Charts meshed so far, of so many; 0 until there are charts. */
   chart: number;
-  charts: number;
+  chartCount: number;
 }
 
 export interface SurfaceCallOptions extends SurfaceOptions {

@@ -85,7 +85,7 @@ export async function surfaces(lpquad: Lpquad): Promise<void> {
   await lpquad.readSurface('', { format: 'step' });
   const mesh: SurfaceMeshResult = await lpquad.meshSurface(surface, {
     size: 1, featureAngle: 30, keepGroups: false, turn: 20, growth: 0.2, weld: 1e-7, effort: 'high',
-    onProgress: ({ stage, chart, charts }) => stage !== 'seams' && chart <= charts,
+    onProgress: ({ stage, chart, chartCount }) => stage !== 'seams' && chart <= chartCount,
   });
   await lpquad.meshSurface({ points: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles: [0, 1, 2], groups: [0], groupNames: ['a'] });
   // @ts-expect-error a point of a surface has three coordinates
