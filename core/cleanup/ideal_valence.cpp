@@ -84,6 +84,7 @@ IdealValence::IdealValence(const QuadTopology& mesh) {
 double IdealValence::weight(const QuadTopology& mesh, Index v) const {
   const Index valence = mesh.valence(v);
   if (!mesh.is_fixed(v)) return valence == 0 ? 0 : irregularity(valence, 4, false);
+  if (mesh.outside(v) != none) return irregularity(valence + mesh.outside(v), 4, false);
   const auto sectors = sectors_.row(v);
   if (sectors.size() == 1) return irregularity(valence, sectors[0].ideal, sectors[0].first != none);
   double sum = 0;
@@ -103,12 +104,13 @@ Index IdealValence::wanted(Index v) const {
 
 IdealValence::Count IdealValence::sector_count(const QuadTopology& mesh, Index v, Index f) const {
   if (!mesh.is_fixed(v)) return {mesh.valence(v), 4};
+  if (mesh.outside(v) != none) return {mesh.valence(v) + mesh.outside(v), 4};
   const auto sectors = sectors_.row(v);
-  if (sectors.size() == 1) return {mesh.valence(v), sectors[0].ideal};
+  if (sectors.size() == 1) return {mesh.valence(v), sectors[0].ideal, true};
   const Index first = sector_begin(mesh, v, f);
   for (const Sector& sector : sectors)
     if (sector.first == first)
-      return {count_sector(mesh, v, mesh.face_with_edge(v, first)), sector.ideal};
+      return {count_sector(mesh, v, mesh.face_with_edge(v, first)), sector.ideal, true};
   LPQ_ASSERT(false);
   return {};
 }

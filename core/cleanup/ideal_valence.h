@@ -2,7 +2,8 @@
 // A fixed vertex is cut by the edges of the 1D mesh into sectors; a sector of angle a should hold
 // the k quads whose common angle a/k is nearest to 90 degrees as a ratio: k quads are better than
 // k + 1 while a <= 180 k (k + 1) / (2 k + 1) degrees (switch angles 120, 216, 308.6, ...). The rule
-// always leaves room for strict convexity, a / k < 180.
+// always leaves room for strict convexity, a / k < 180. Where a mesh is part of a larger one, its
+// rim counts as inside, with the quads beyond it.
 #pragma once
 
 #include <vector>
@@ -44,6 +45,7 @@ class IdealValence {
   /// The quads that now share the sector in which face f meets v, and the number wanted there.
   struct Count {
     Index quads = 0, ideal = 4;
+    bool border = false;  // counts as a fixed vertex in `irregularity`
   };
   Count sector_count(const QuadTopology& mesh, Index v, Index f) const;
 

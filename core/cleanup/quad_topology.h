@@ -29,6 +29,10 @@ class QuadTopology {
   Index region(Index f) const { return mesh_.region.empty() ? 0 : mesh_.region[f]; }
   std::span<const Index> faces_of(Index v) const { return faces_of_[v]; }
   Index valence(Index v) const { return static_cast<Index>(faces_of_[v].size()); }
+  /// Quads at v outside a mesh that is part of a larger one; none where that does not count.
+  Index outside(Index v) const {
+    return v < static_cast<Index>(mesh_.outside.size()) ? mesh_.outside[v] : none;
+  }
 
   /// Constraint edge between two fixed vertices with faces on both sides.
   bool is_wall(Index a, Index b) const;

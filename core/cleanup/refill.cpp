@@ -97,9 +97,9 @@ void Refiller::weigh_loop(std::span<const Index> faces) {
         some = f;
       }
     const IdealValence::Count now = ideal_.sector_count(mesh_, v, some);
-    old_weight_ += irregularity(now.quads, now.ideal, mesh_.is_fixed(v));
+    old_weight_ += irregularity(now.quads, now.ideal, now.border);
     for (Index c = 0; c < largest_loop; ++c)
-      weight_[i][c] = irregularity(now.quads - inside + c, now.ideal, mesh_.is_fixed(v));
+      weight_[i][c] = irregularity(now.quads - inside + c, now.ideal, now.border);
   }
   std::vector<Index> seen;
   for (const Index f : faces)

@@ -29,6 +29,9 @@ struct QuadMesh {
   // Walls inside the domain (constraint edges, region borders): no operation may merge or flip
   // across them. Outer boundary edges need no entry: they have one face only.
   std::vector<std::array<Index, 2>> walls;  // #W  a < b, sorted
+  // In a part of a larger mesh: quads at each fixed vertex that lie outside the part. Four in all
+  // are wanted there; none: the angle at the vertex decides. Empty: it does so everywhere.
+  std::vector<Index> outside;  // #fixed
 };
 
 }  // namespace lpq

@@ -17,10 +17,12 @@ BallFinder::BallFinder(const SurfaceMesh& mesh, std::span<const char> barrier)
     centroid_.push_back((1.0 / 3) * (mesh.points[a] + mesh.points[b] + mesh.points[c]));
 }
 
-std::vector<Index> BallFinder::ball(Index centre, double radius) {
+Ball BallFinder::ball(Index centre, double radius, double margin) {
   using Entry = std::pair<double, Index>;  // the index breaks ties
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  std::vector<Index> reached{centre};
+  Ball ball;
+  std::vector<Index>& reached = ball.triangles;
+  reached.push_back(centre);
   distance_[centre] = 0;
   queue.push({0, centre});
   while (!queue.empty()) {
@@ -32,15 +34,18 @@ std::vector<Index> BallFinder::ball(Index centre, double radius) {
       if (twin == none || barrier_[e]) continue;
       const Index next = triangle_of(twin);
       const double there = d + distance(centroid_[t], centroid_[next]);
-      if (there >= radius || there >= distance_[next]) continue;
+      if (there >= radius + margin || there >= distance_[next]) continue;
       if (distance_[next] == far) reached.push_back(next);
       distance_[next] = there;
       queue.push({there, next});
     }
   }
-  for (const Index t : reached) distance_[t] = far;
   std::sort(reached.begin(), reached.end());
-  return reached;
+  for (const Index t : reached) {
+    ball.inside.push_back(distance_[t] < radius);
+    distance_[t] = far;
+  }
+  return ball;
 }
 
 }  // namespace lpq

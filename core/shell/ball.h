@@ -8,14 +8,19 @@
 
 namespace lpq {
 
+struct Ball {
+  std::vector<Index> triangles;  // ascending
+  std::vector<char> inside;      // #triangles  0: of the margin
+};
+
 /// Finds balls again and again on one surface; keeps tables of its size between calls.
 class BallFinder {
  public:
   BallFinder(const SurfaceMesh& mesh, std::span<const char> barrier);
 
-  /// Triangles whose centroid is nearer than `radius` to that of `centre` along the dual graph,
-  /// no barrier crossed; ascending.
-  std::vector<Index> ball(Index centre, double radius);
+  /// Triangles whose centroid is nearer than `radius` to that of `centre` along the dual graph, no
+  /// barrier crossed, and those of a margin around them.
+  Ball ball(Index centre, double radius, double margin);
 
  private:
   const SurfaceMesh& mesh_;

@@ -2,16 +2,38 @@
 #include "shell/place.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace lpq {
+namespace {
+
+/// p itself in the triangle, else the point nearest to it.
+Vec2 nearest_in(Vec2 a, Vec2 b, Vec2 c, Vec2 p) {
+  const Vec2 corner[4] = {a, b, c, a};
+  Vec2 best = p;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 from = corner[k], along = corner[k + 1] - from;
+    if (cross(along, p - from) >= 0) continue;
+    const double s = std::clamp(dot(p - from, along) / squared_length(along), 0.0, 1.0);
+    const Vec2 q = from + s * along;
+    if (squared_length(p - q) >= best_distance) continue;
+    best_distance = squared_length(p - q);
+    best = q;
+  }
+  return best;
+}
+
+}  // namespace
 
 SurfacePlace place_on(const Chart& chart, const Fields& fields, Vec2 p, Index& hint) {
   const Index t = fields.locator.find_nearest(p, hint);
   const auto [i, j, k] = chart.plane.triangles[t];
   const Vec2 a = chart.plane.points[i], b = chart.plane.points[j], c = chart.plane.points[k];
+  const Vec2 q = nearest_in(a, b, c, p);
   const double area = cross(b - a, c - a);
-  double wa = std::clamp(cross(c - b, p - b) / area, 0.0, 1.0);
-  double wb = std::clamp(cross(a - c, p - c) / area, 0.0, 1.0 - wa);
+  const double wa = std::clamp(cross(c - b, q - b) / area, 0.0, 1.0);
+  const double wb = std::clamp(cross(a - c, q - c) / area, 0.0, 1.0 - wa);
   return {chart.triangles[t], {wa, wb, 1 - wa - wb}};
 }
 

@@ -3,21 +3,20 @@
 
 #include <algorithm>
 
-#include "cleanup/cleanup.h"
-#include "mesh/quality.h"
-#include "pipeline/shape_options.h"
 #include "shell/ball.h"
 #include "shell/place.h"
+#include "shell/rework.h"
 #include "shell/window.h"
 
 namespace lpq {
 namespace {
 
-constexpr double window_radius = 9;  // in mesh sizes
+constexpr double seam_radius = 9;   // in mesh sizes
+constexpr double knot_radius = 18;  // far enough to see what irregular vertices could cancel
+constexpr double margin = 1.5;      // around a window, for vertices between those that stay
 constexpr double smallest_radius = 3.5;
 constexpr double shrink = 0.7;         // of a window without a good map
 constexpr double covered_share = 0.5;  // of the radius: what a window has dealt with
-constexpr int smoothing_steps = 60;
 
 class SeamFinisher {
  public:
@@ -27,54 +26,57 @@ class SeamFinisher {
         options_(options),
         mesh_(mesh),
         balls_(charted.mesh, feature),
-        windows_(charted.mesh, charted.cross, charted.size, feature) {}
+        windows_(charted.mesh, charted.cross, charted.size, feature),
+        seed_(options.seed) {}
 
   SeamStats run() {
     std::vector<char> wanted(mesh_.points.size(), 0);
     for (std::size_t v = 0; v < charted_.nodes.points.size(); ++v) wanted[v] = !mesh_.pinned[v];
     for (int pass = 0; pass < 2; ++pass) {
       rim_.assign(mesh_.points.size(), 0);
-      sweep(wanted);
+      sweep(wanted, Rework::seam, seam_radius);
       wanted = rim_;
     }
+    compact();
+    rim_.assign(mesh_.points.size(), 0);
+    sweep(knots(), Rework::knot, knot_radius);
     compact();
     return stats_;
   }
 
  private:
+  /// Free vertices where other than four quads meet.
+  std::vector<char> knots() const {
+    std::vector<Index> valence(mesh_.points.size(), 0);
+    for (const Face& face : mesh_.faces)
+      for (const Index v : face)
+        if (v != none) ++valence[v];
+    std::vector<char> wanted(mesh_.points.size());
+    for (std::size_t v = 0; v < wanted.size(); ++v) wanted[v] = !mesh_.pinned[v] && valence[v] != 4;
+    return wanted;
+  }
+
   /// One window after the other over the vertices that want one.
-  void sweep(std::vector<char> wanted) {
+  void sweep(std::vector<char> wanted, Rework kind, double largest_radius) {
     for (std::size_t v = 0; v < wanted.size(); ++v) {
       if (!wanted[v] || mesh_.places[v].triangle == none) continue;
       const double h = charted_.size[charted_.mesh.triangles[mesh_.places[v].triangle][0]];
-      for (double radius = window_radius; radius >= smallest_radius; radius *= shrink) {
-        auto triangles = balls_.ball(mesh_.places[v].triangle, radius * h);
-        auto window = windows_.open(mesh_, std::move(triangles));
+      for (double radius = largest_radius; radius >= smallest_radius; radius *= shrink) {
+        auto window =
+            windows_.open(mesh_, balls_.ball(mesh_.places[v].triangle, radius * h, margin * h));
         if (!window) continue;
         ++stats_.windows;
         const Vec3 centre = mesh_.points[v];
-        rework(*window);
+        if (auto quads = rework(*window, kind, options_, seed_++)) {
+          ++stats_.accepted;
+          put_back(*window, *quads);
+        }
         for (std::size_t w = v; w < wanted.size(); ++w)
           if (distance(mesh_.points[w], centre) < covered_share * radius * h) wanted[w] = 0;
         break;
       }
       wanted[v] = 0;
     }
-  }
-
-  void rework(Window& window) {
-    const Index bad_before = quad_quality(window.quads).nonconvex;
-    CleanupResult cleaned = clean_up(window.quads, window.fields, cleanup_before_patches(options_));
-    PatchRemesher remesher(std::move(cleaned.mesh), window.fields, patch_options(options_));
-    while (remesher.step(1000)) {
-    }
-    QuadMesh quads = remesher.mesh();
-    SmoothOptions smoothing = shape_smoothing(options_);
-    smoothing.iterations = smoothing_steps;
-    smooth_eta(quads, window.fields, smoothing);
-    if (quad_quality(quads).nonconvex > bad_before) return;
-    ++stats_.accepted;
-    put_back(window, quads);
   }
 
   void put_back(const Window& window, const QuadMesh& quads) {
@@ -134,6 +136,7 @@ class SeamFinisher {
   BallFinder balls_;
   WindowMaker windows_;
   std::vector<char> rim_;  // #V  free vertices on the borders of windows
+  std::uint64_t seed_;     // of the search in the next window
   SeamStats stats_;
 };
 

@@ -1,6 +1,7 @@
 // The last step on the union: cuts that are no features leave seams of irregular vertices. Windows
 // over them, and then over the borders of these windows, are remeshed and smoothed in their planes,
-// so that in the end nothing tells where a cut was.
+// so that in the end nothing tells where a cut was. Then wider windows over the irregular vertices
+// that are left: many could cancel another one far away.
 #pragma once
 
 #include "base/monitor.h"
@@ -14,7 +15,7 @@ struct SeamStats {
   Index accepted = 0;  // whose result was taken
 };
 
-/// Frees the nodes on cuts and remeshes around them.
+/// Frees the nodes on cuts and remeshes around them, and around irregular vertices.
 SeamStats finish_seams(const Charted& charted, const Options& options, ShellMesh& mesh);
 
 }  // namespace lpq

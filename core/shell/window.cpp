@@ -91,16 +91,19 @@ bool WindowMaker::map(std::vector<Index> triangles, Chart& chart) {
   return true;
 }
 
-std::vector<Index> WindowMaker::faces_inside(const ShellMesh& shell, const Chart& chart) {
+std::vector<Index> WindowMaker::faces_inside(const ShellMesh& shell, const Ball& ball,
+                                             const Chart& chart) {
   for (std::size_t i = 0; i < chart.triangles.size(); ++i)
     own_[chart.triangles[i]] = static_cast<Index>(i);
+  const auto is_inside = [&](Index v) {
+    const Index t = own_[shell.places[v].triangle];
+    return t != none && ball.inside[t];
+  };
   std::vector<Index> faces;
   for (Index f = 0; f < static_cast<Index>(shell.faces.size()); ++f) {
     const Face& face = shell.faces[f];
     if (face[0] == none || face[3] == none) continue;
-    if (std::all_of(face.begin(), face.end(),
-                    [&](Index v) { return own_[shell.places[v].triangle] != none; }))
-      faces.push_back(f);
+    if (std::all_of(face.begin(), face.end(), is_inside)) faces.push_back(f);
   }
   drop_bad_rim(shell, chart, faces);
   return faces;
@@ -135,6 +138,25 @@ void WindowMaker::drop_bad_rim(const ShellMesh& shell, const Chart& chart,
   }
 }
 
+/// Around free vertices of the rim.
+void WindowMaker::count_outside(const ShellMesh& shell, std::span<const Index> vertex,
+                                QuadMesh& quads) const {
+  quads.outside.assign(quads.fixed, 0);
+  const auto rim = vertex.first(quads.fixed);
+  const auto count = [&](Index v, Index by) {
+    const auto at = std::lower_bound(rim.begin(), rim.end(), v);
+    if (at != rim.end() && *at == v) quads.outside[at - rim.begin()] += by;
+  };
+  for (const Face& face : shell.faces)
+    for (const Index v : face)
+      if (v != none && own_[shell.places[v].triangle] != none) count(v, 1);
+  for (const Face& face : quads.faces)
+    for (const Index v : face)
+      if (v < quads.fixed) --quads.outside[v];
+  for (Index v = 0; v < quads.fixed; ++v)
+    if (shell.pinned[vertex[v]]) quads.outside[v] = none;
+}
+
 void WindowMaker::lay_out(const ShellMesh& shell, Window& window) {
   std::vector<Index> all;
   for (const Index f : window.faces)
@@ -167,15 +189,16 @@ void WindowMaker::lay_out(const ShellMesh& shell, Window& window) {
     }
   }
   quads.region.assign(quads.faces.size(), 0);
+  count_outside(shell, all, quads);
   std::sort(quads.walls.begin(), quads.walls.end());
   quads.walls.erase(std::unique(quads.walls.begin(), quads.walls.end()), quads.walls.end());
   window.vertex = std::move(all);
 }
 
-std::optional<Window> WindowMaker::open(const ShellMesh& shell, std::vector<Index> triangles) {
+std::optional<Window> WindowMaker::open(const ShellMesh& shell, const Ball& ball) {
   Window window;
-  if (!map(std::move(triangles), window.chart)) return std::nullopt;
-  window.faces = faces_inside(shell, window.chart);
+  if (!map(ball.triangles, window.chart)) return std::nullopt;
+  window.faces = faces_inside(shell, ball, window.chart);
   if (!window.faces.empty()) lay_out(shell, window);
   for (const Index t : window.chart.triangles) own_[t] = none;
   if (window.faces.empty()) return std::nullopt;

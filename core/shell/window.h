@@ -8,6 +8,7 @@
 
 #include "field/field.h"
 #include "mesh/quad_mesh.h"
+#include "shell/ball.h"
 #include "shell/shell_mesh.h"
 #include "surface/charts/charts.h"
 #include "surface/charts/part.h"
@@ -29,14 +30,15 @@ class WindowMaker {
   WindowMaker(const SurfaceMesh& mesh, const SurfaceCrossField& cross, std::span<const double> size,
               std::span<const char> feature);
 
-  /// The window over these triangles; none where they have no good map or hold no quads.
-  std::optional<Window> open(const ShellMesh& shell, std::vector<Index> triangles);
+  /// The window of the quads inside the ball; none where it has no good map or holds no quads.
+  std::optional<Window> open(const ShellMesh& shell, const Ball& ball);
 
  private:
   bool map(std::vector<Index> triangles, Chart& chart);
-  std::vector<Index> faces_inside(const ShellMesh& shell, const Chart& chart);
+  std::vector<Index> faces_inside(const ShellMesh& shell, const Ball& ball, const Chart& chart);
   void drop_bad_rim(const ShellMesh& shell, const Chart& chart, std::vector<Index>& faces) const;
   Vec2 in_plane(const ShellMesh& shell, const Chart& chart, Index v) const;
+  void count_outside(const ShellMesh& shell, std::span<const Index> vertex, QuadMesh& quads) const;
   void lay_out(const ShellMesh& shell, Window& window);
 
   const SurfaceMesh& mesh_;
