@@ -26,7 +26,7 @@ class SeamFinisher {
         options_(options),
         mesh_(mesh),
         balls_(charted.mesh, feature),
-        windows_(charted.mesh, charted.cross, charted.size, feature),
+        windows_(charted.mesh, charted.cross, charted.size),
         seed_(options.seed) {}
 
   SeamStats run() {
@@ -62,8 +62,8 @@ class SeamFinisher {
       if (!wanted[v] || mesh_.places[v].triangle == none) continue;
       const double h = charted_.size[charted_.mesh.triangles[mesh_.places[v].triangle][0]];
       for (double radius = largest_radius; radius >= smallest_radius; radius *= shrink) {
-        auto window =
-            windows_.open(mesh_, balls_.ball(mesh_.places[v].triangle, radius * h, margin * h));
+        auto window = windows_.open(
+            mesh_, balls_.ball(mesh_.places[v].triangle, (radius + margin) * h, margin * h));
         if (!window) continue;
         ++stats_.windows;
         const Vec3 centre = mesh_.points[v];

@@ -67,16 +67,16 @@ void drop_pinches(const ShellMesh& shell, std::vector<Index>& faces) {
 }  // namespace
 
 WindowMaker::WindowMaker(const SurfaceMesh& mesh, const SurfaceCrossField& cross,
-                         std::span<const double> size, std::span<const char> feature)
+                         std::span<const double> size)
     : mesh_(mesh),
       cross_(cross),
       size_(size),
-      feature_(feature),
+      uncut_(mesh.twins.size(), 0),
       taker_(mesh),
       own_(mesh.triangles.size(), none) {}
 
 bool WindowMaker::map(std::vector<Index> triangles, Chart& chart) {
-  const Part part = taker_.take(std::move(triangles), feature_);
+  const Part part = taker_.take(std::move(triangles), uncut_);
   bool solved = false;
   PartMap map = map_part(mesh_, part, {}, MapMethod::lscm, solved);
   if (map.verdict != Verdict::accepted) return false;

@@ -27,8 +27,8 @@ struct Window {
 /// Opens windows on one surface and one mesh of it.
 class WindowMaker {
  public:
-  WindowMaker(const SurfaceMesh& mesh, const SurfaceCrossField& cross, std::span<const double> size,
-              std::span<const char> feature);
+  WindowMaker(const SurfaceMesh& mesh, const SurfaceCrossField& cross,
+              std::span<const double> size);
 
   /// The window of the quads inside the ball; none where it has no good map or holds no quads.
   std::optional<Window> open(const ShellMesh& shell, const Ball& ball);
@@ -44,7 +44,7 @@ class WindowMaker {
   const SurfaceMesh& mesh_;
   const SurfaceCrossField& cross_;
   std::span<const double> size_;
-  std::span<const char> feature_;
+  std::vector<char> uncut_;  // #half-edges
   PartTaker taker_;
   std::vector<Index> own_;  // #T of the surface  triangle of the window, none outside calls
 };
