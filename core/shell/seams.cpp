@@ -11,9 +11,10 @@
 namespace lpq {
 namespace {
 
-constexpr double seam_radius = 9;   // in mesh sizes
+constexpr double seam_radius = 13;  // in mesh sizes
 constexpr double knot_radius = 18;  // far enough to see what irregular vertices could cancel
-constexpr double margin = 1.5;      // around a window, for vertices between those that stay
+constexpr int knot_rounds = 2;
+constexpr double margin = 1.5;  // around a window, for vertices between those that stay
 constexpr double smallest_radius = 3.5;
 constexpr double shrink = 0.7;         // of a window without a good map
 constexpr double covered_share = 0.5;  // of the radius: what a window has dealt with
@@ -37,9 +38,11 @@ class SeamFinisher {
       sweep(wanted, Rework::seam, seam_radius);
       wanted = rim_;
     }
-    compact();
-    rim_.assign(mesh_.points.size(), 0);
-    sweep(knots(), Rework::knot, knot_radius);
+    for (int round = 0; round < knot_rounds; ++round) {
+      compact();
+      rim_.assign(mesh_.points.size(), 0);
+      sweep(knots(), Rework::knot, knot_radius);
+    }
     compact();
     return stats_;
   }

@@ -40,6 +40,20 @@ TEST_CASE("a grid is regular everywhere") {
   for (Index v = 0; v < mesh.vertex_count(); ++v) CHECK(ideal.is_regular(mesh, v));
 }
 
+TEST_CASE("in a part of a larger mesh four quads are wanted on the rim, with those outside") {
+  QuadMesh part = grid(4, 3);
+  part.outside.assign(part.fixed, 0);
+  const QuadTopology plain{QuadMesh(part)};
+  for (Index v = 0; v < part.fixed; ++v) part.outside[v] = 4 - plain.valence(v);
+  part.outside[0] = none;  // as before: a corner of the outline
+  const Index last = part.fixed - 1;
+  part.outside[last] += 1;
+  const QuadTopology mesh{QuadMesh(part)};
+  const IdealValence ideal(mesh);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) CHECK(ideal.is_regular(mesh, v) == (v != last));
+  CHECK(ideal.weight(mesh, last) == irregularity(5, 4, false));
+}
+
 TEST_CASE("walls cut a vertex into sectors with their own ideals") {
   // A wall along the middle of a grid from the left side to a tip inside.
   QuadMesh plain = grid(4, 4);
