@@ -6,12 +6,14 @@
 #include <numeric>
 
 #include "base/disjoint_sets.h"
+#include "surface/balance_counts.h"
 
 namespace lpq {
 namespace {
 
-constexpr double even_from = 2.5;  // steps; shorter curves would be hurt by an even number
 constexpr Index fewest_of_closed = 4;
+// Of the steps on both sides; a third more on one than on the other.
+constexpr double most_difference = 0.15;
 
 Index rounded(double x) { return static_cast<Index>(std::floor(x + 0.5)); }
 
@@ -47,8 +49,7 @@ std::vector<Index> fewest_edges(const SurfaceCurves& curves, std::span<const dou
 }
 
 Index wanted_count(double steps, bool closed) {
-  if (!closed && steps <= even_from) return rounded(steps);
-  return 2 * rounded(0.5 * steps);
+  return closed ? 2 * rounded(0.5 * steps) : rounded(steps);
 }
 
 /// How far a count is from the steps that the size asks for, as a ratio >= 1.
@@ -176,6 +177,19 @@ class EvenMaker {
   std::vector<Index> odd_;                    // #faces + 1
 };
 
+/// Sides whose lengths in steps differ too much want irregular vertices between them.
+CountSums possible_sums(CountSums sums, std::span<const double> steps) {
+  for (Index s = 0; s < sums.terms.rows(); ++s) {
+    double difference = 0, total = 0;
+    for (const CountTerm& term : sums.terms.row(s)) {
+      difference += term.factor * steps[term.curve];
+      total += std::abs(term.factor) * steps[term.curve];
+    }
+    if (std::abs(difference) > most_difference * total + 1) sums.only_parity[s] = 1;
+  }
+  return sums;
+}
+
 }  // namespace
 
 std::vector<Index> face_counts(const SurfaceCurves& curves, Index face_count,
@@ -187,11 +201,16 @@ std::vector<Index> face_counts(const SurfaceCurves& curves, Index face_count,
 }
 
 std::vector<Index> curve_counts(const SurfaceCurves& curves, Index face_count,
-                                std::span<const double> steps) {
+                                std::span<const double> steps, const CountSums& sums) {
   const std::vector<Index> fewest = fewest_edges(curves, steps);
   std::vector<Index> counts(fewest.size());
-  for (Index c = 0; c < curves.count(); ++c)
-    counts[c] = std::max(fewest[c], wanted_count(steps[c], is_closed(curves, c)));
+  std::vector<CountWish> wishes(fewest.size());
+  for (Index c = 0; c < curves.count(); ++c) {
+    const bool closed = is_closed(curves, c);
+    counts[c] = std::max(fewest[c], wanted_count(steps[c], closed));
+    wishes[c] = {steps[c], fewest[c], closed ? 2 : 1};
+  }
+  balance_counts(possible_sums(sums, steps), wishes, counts);
   EvenMaker(curves, face_count, steps, fewest, counts).run();
   return counts;
 }

@@ -7,6 +7,7 @@
 #include "support/surface_curves.h"
 #include "support/surface_shapes.h"
 #include "surface/repair.h"
+#include "surface/side_balance.h"
 
 using namespace lpq;
 using namespace lpq_test;
@@ -76,7 +77,7 @@ TEST_CASE("steps are equal in int ds/h where the size varies") {
       most = std::max(most, steps);
     }
     CHECK(most < least * 1.02);
-    CHECK(std::abs(most - 1) < 0.05);
+    CHECK(std::abs(most - 1) < 0.2);  // opposite sides with other sizes bear the difference
   }
 }
 
@@ -104,6 +105,39 @@ TEST_CASE("closed curves get four edges or more, and are even") {
       CHECK(edge_count(ring, c) >= 4);
       CHECK(edge_count(ring, c) % 2 == 0);
     }
+  }
+}
+
+TEST_CASE("opposite sides of skew boxes have as many edges") {
+  Rng rng(3);
+  for (int round = 0; round < 40; ++round) {
+    SurfaceSoup soup = box_soup({rng.between(1, 2), rng.between(1, 2), rng.between(1, 2)}, 3);
+    const double taper = rng.between(-0.1, 0.1), lean = rng.between(-0.1, 0.1);
+    for (Vec3& p : soup.points) p = {p.x * (1 + taper * p.z), p.y * (1 + lean * p.x), p.z};
+    const auto box = curves_of(soup, rng.between(0.05, 0.5));
+    REQUIRE(box.curves.count() == 12);
+    const CountSums sums = side_balances(box.mesh, box.features, box.curves);
+    CHECK(sums.terms.rows() == 12);
+    for (Index s = 0; s < sums.terms.rows(); ++s) {
+      Index sum = 0;
+      for (const CountTerm& term : sums.terms.row(s))
+        sum += term.factor * edge_count(box, term.curve);
+      CHECK(sums.terms.row(s).size() == 2);
+      CHECK(sum == 0);
+    }
+  }
+}
+
+TEST_CASE("both ends of a pipe have as many edges") {
+  SurfaceSoup soup = band_soup(24, 0);
+  for (Vec3& p : soup.points) {
+    const double away = length(p), r = 1 + 0.1 * away;  // a cone instead of a plane ring
+    p = {p.x / away * r, p.y / away * r, 2 * away};
+  }
+  for (const double h : {0.05, 0.1, 0.17, 0.3}) {
+    const auto pipe = curves_of(soup, h, {.angle = 180});
+    REQUIRE(pipe.curves.count() == 2);
+    CHECK(edge_count(pipe, 0) == edge_count(pipe, 1));
   }
 }
 
