@@ -20,6 +20,7 @@ class DomainMaker {
       loops.push_back(std::move(loop));
     }
     add_inner_features(features, curves, atlas);
+    add_inner_points(features);
     std::sort(domain_.places.begin(), domain_.places.end(), [](const auto& a, const auto& b) {
       return a.position < b.position || (a.position == b.position && a.node < b.node);
     });
@@ -65,6 +66,21 @@ class DomainMaker {
           append_target(e, line);
       }
       add_polyline(std::move(line));
+    }
+  }
+
+  /// Corners away from all lines: parts of the surface meet there in one point.
+  void add_inner_points(const SurfaceFeatures& features) {
+    std::vector<char> on_line(chart_.plane.points.size(), 0);
+    const Index sides = 3 * chart_.plane.triangle_count();
+    for (Index e = 0; e < sides; ++e)
+      if (features.half_edge_is_feature(on_surface(e)))
+        on_line[chart_.plane.origin(e)] = on_line[chart_.plane.target(e)] = 1;
+    for (std::size_t v = 0; v < on_line.size(); ++v) {
+      const Index node = nodes_.at_vertex(chart_.vertex[v]);
+      if (on_line[v] || node == none) continue;
+      domain_.input.points.push_back({chart_.plane.points[v], ""});
+      domain_.places.push_back({chart_.plane.points[v], node});
     }
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/hash.h"
 #include "numerics/elementary.h"
 #include "pipeline/mesher.h"
 #include "shell/chart_domain.h"
@@ -15,17 +16,42 @@ namespace {
 // Sizes on a surface vary over lengths of some quads.
 constexpr double fields_detail = 4;
 
+/// How fine the fields of the plane must be, from place to place: a chart may have a size far below
+/// all others in one spot.
+std::vector<DomainInput::SizeAt> detail_of(const Fields& fields) {
+  std::vector<DomainInput::SizeAt> detail;
+  for (std::size_t v = 0; v < fields.h.size(); ++v)
+    detail.push_back({fields.background.points[v], fields_detail * fields.h[v]});
+  return detail;
+}
+
 /// Sizes and directions of a chart as the caller's own; they refer to `fields`.
 UserFields fields_of_user(const Fields& fields) {
   UserFields user;
   Index hint = none;
   user.size = [&fields, hint](Vec2 p) mutable { return fields.size(p, hint); };
-  user.detail = fields_detail * *std::min_element(fields.h.begin(), fields.h.end());
+  user.sizes = detail_of(fields);
+  user.detail = fields_detail * *std::max_element(fields.h.begin(), fields.h.end());
   user.angle = [&fields, hint](Vec2 p) mutable {
     const Vec2 axis = fields.sample(p, hint).axis;
     return arc_tangent(axis.y, axis.x);
   };
   return user;
+}
+
+std::uint64_t fingerprint(Index chart, const DomainInput& input, const Fields& fields) {
+  Fnv1a hash;
+  const auto add = [&hash](const Loop& line) {
+    const std::size_t size = line.size();
+    hash.add(std::span<const std::size_t>(&size, 1));
+    hash.add(std::span<const Vec2>(line));
+  };
+  hash.add(std::span<const Index>(&chart, 1));
+  for (const Loop& loop : input.regions[0].loops) add(loop);
+  for (const auto& line : input.polylines) add(line.points);
+  for (const auto& point : input.points) hash.add(std::span<const Vec2>(&point.position, 1));
+  hash.add(std::span<const double>(fields.h));
+  return hash.value();
 }
 
 }  // namespace
@@ -35,12 +61,14 @@ struct ChartsMesher::Job {
   const Chart& chart;
   ChartDomain domain;
   Fields fields;
+  std::uint64_t key = 0;
   std::optional<Mesher> mesher;
 };
 
-ChartsMesher::ChartsMesher(const Charted& charted, const Options& options)
+ChartsMesher::ChartsMesher(const Charted& charted, const Options& options, PlaneMeshes& made)
     : charted_(charted),
       options_(options),
+      made_(made),
       nodes_(charted.mesh, charted.lines.edges, charted.curves, charted.nodes) {
   options_.keep_boundary = true;
   options_.size = 0;
@@ -56,42 +84,84 @@ ChartsMesher::~ChartsMesher() = default;
 void ChartsMesher::pin_nodes() {
   ShellMesh& mesh = result_.mesh;
   mesh.pinned.assign(mesh.points.size(), 0);
+  std::vector<std::array<std::array<Index, 2>, 2>> edges;  // with their sides
   for (Index c = 0; c < charted_.curves.count(); ++c) {
     if (!charted_.features.is_feature(charted_.curves.edges.row(c)[0])) continue;
     const auto row = charted_.nodes.nodes.row(c);
-    for (std::size_t k = 0; k < row.size(); ++k) {
+    mesh.pinned[row[0]] = 1;
+    for (std::size_t k = 1; k < row.size(); ++k) {
       mesh.pinned[row[k]] = 1;
-      if (k > 0) mesh.edges.push_back({std::min(row[k - 1], row[k]), std::max(row[k - 1], row[k])});
+      const Index edge = k == 1 ? 0 : charted_.nodes.places[row[k - 1]].edge;
+      const auto [along, against] = sides_of(c, edge);
+      if (row[k - 1] < row[k])
+        edges.push_back({{{row[k - 1], row[k]}, {along, against}}});
+      else
+        edges.push_back({{{row[k], row[k - 1]}, {against, along}}});
     }
   }
   for (std::size_t n = 0; n < mesh.points.size(); ++n) {
     const Index v = charted_.nodes.places[n].vertex;
     if (v != none && charted_.features.corner[v]) mesh.pinned[n] = 2;
   }
-  std::sort(mesh.edges.begin(), mesh.edges.end());
+  std::sort(edges.begin(), edges.end());
+  for (const auto& [ends, sides] : edges) {
+    mesh.edges.push_back(ends);
+    mesh.sides.push_back(sides);
+  }
+}
+
+/// Triangles along the surface's edge of this number on the curve, and against it.
+std::array<Index, 2> ChartsMesher::sides_of(Index curve, Index number) const {
+  std::array<Index, 2> sides{0, 0};
+  const Index from = charted_.curves.vertices.row(curve)[number];
+  const Index edge = charted_.curves.edges.row(curve)[number];
+  for (const Index e : charted_.lines.edges.half_edges.row(edge))
+    ++sides[charted_.mesh.origin(e) == from ? 0 : 1];
+  return sides;
 }
 
 void ChartsMesher::step() {
-  auto failure = step_in(charted_.atlas.charts[chart_]);
-  if (failure) result_.failures.push_back({chart_, std::move(*failure)});
-  if (!failure && job_->mesher->stage() != Stage::done) return;
+  if (!job_) open(charted_.atlas.charts[chart_]);
+  auto at = made_.find(job_->key);
+  if (at == made_.end()) {
+    auto mesh = step_in();
+    if (!mesh) return;
+    at = made_.emplace(job_->key, std::move(*mesh)).first;
+  }
+  if (at->second)
+    lift(*job_, *at->second);
+  else
+    note(*job_, at->second.error());
   job_.reset();
   ++chart_;
 }
 
-std::optional<Error> ChartsMesher::step_in(const Chart& chart) {
-  if (!job_) {
-    job_ = std::make_unique<Job>(Job{
-        chart,
-        chart_domain(charted_.mesh, charted_.lines, charted_.curves, charted_.atlas, chart, nodes_),
-        chart_fields(charted_.mesh, charted_.cross, charted_.size, chart), std::nullopt});
+void ChartsMesher::open(const Chart& chart) {
+  job_ = std::make_unique<Job>(Job{
+      chart,
+      chart_domain(charted_.mesh, charted_.lines, charted_.curves, charted_.atlas, chart, nodes_),
+      chart_fields(charted_.mesh, charted_.cross, charted_.size, chart), 0, std::nullopt});
+  job_->key = fingerprint(chart_, job_->domain.input, job_->fields);
+}
+
+/// What became of the chart, once that is known.
+std::optional<Result<OutputMesh>> ChartsMesher::step_in() {
+  if (!job_->mesher) {
     auto mesher = Mesher::start(job_->domain.input, options_, fields_of_user(job_->fields));
     if (!mesher) return mesher.error();
     job_->mesher = std::move(*mesher);
   }
   if (const auto stage = job_->mesher->step(); !stage) return stage.error();
-  if (job_->mesher->stage() == Stage::done) lift(*job_, job_->mesher->output());
-  return std::nullopt;
+  if (job_->mesher->stage() != Stage::done) return std::nullopt;
+  return job_->mesher->output();
+}
+
+void ChartsMesher::note(const Job& job, const Error& error) {
+  result_.failures.push_back({chart_, error, {}});
+  Index hint = none;
+  if (error.where.has_point)
+    result_.failures.back().place =
+        place_on(job.chart, job.fields, {error.where.x, error.where.y}, hint);
 }
 
 void ChartsMesher::lift(const Job& job, const OutputMesh& plane) {

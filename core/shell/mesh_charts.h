@@ -2,6 +2,7 @@
 // lifted back; since neighbours share the nodes of their curves, the union conforms.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -32,7 +33,12 @@ struct Charted {
 struct ChartFailure {
   Index chart = none;
   Error error;
+  SurfacePlace place;  // where, if that is known
 };
+
+/// Charts in their planes, by a fingerprint of all that went into them: when sizes change in one
+/// place, the other charts need not be meshed again.
+using PlaneMeshes = std::map<std::uint64_t, Result<OutputMesh>>;
 
 struct MeshedCharts {
   ShellMesh mesh;
@@ -43,8 +49,8 @@ struct MeshedCharts {
 class ChartsMesher {
  public:
   /// What `charted` refers to must outlive the mesher. `options`: of the planar chain; the boundary
-  /// is always kept.
-  ChartsMesher(const Charted& charted, const Options& options);
+  /// is always kept. `made`: of earlier meshers on the same atlas.
+  ChartsMesher(const Charted& charted, const Options& options, PlaneMeshes& made);
   ~ChartsMesher();
 
   /// One step of the planar chain in the current chart; its last step lifts the mesh.
@@ -57,11 +63,15 @@ class ChartsMesher {
  private:
   struct Job;  // the current chart
   void pin_nodes();
-  std::optional<Error> step_in(const Chart& chart);
+  std::array<Index, 2> sides_of(Index curve, Index number) const;
+  void open(const Chart& chart);
+  std::optional<Result<OutputMesh>> step_in();
   void lift(const Job& job, const OutputMesh& plane);
+  void note(const Job& job, const Error& error);
 
   Charted charted_;
   Options options_;
+  PlaneMeshes& made_;
   CurveNodes nodes_;
   MeshedCharts result_;
   Index chart_ = 0;

@@ -10,7 +10,9 @@
 #include "pipeline/stage_timer.h"
 #include "shell/check.h"
 #include "shell/mesh_charts.h"
+#include "shell/place.h"
 #include "shell/quality.h"
+#include "shell/smaller.h"
 #include "surface/components.h"
 #include "surface/corners.h"
 #include "surface/repair_warnings.h"
@@ -20,9 +22,9 @@ namespace lpq {
 namespace {
 
 constexpr double default_quads = 3000;
-// A chart without a mesh is tried again with smaller sizes on it.
-constexpr int most_rounds = 3;
-constexpr double smaller = 0.6;
+// Where there is no mesh it is tried again with smaller sizes: first near the faults alone.
+constexpr int most_rounds = 8;
+constexpr int local_rounds = 3;
 
 }  // namespace
 
@@ -41,7 +43,7 @@ class SurfaceMesher::Run {
       case SurfaceStage::field: return then(SurfaceStage::charts, make_field());
       case SurfaceStage::charts: return then(SurfaceStage::mesh, make_atlas());
       case SurfaceStage::mesh: return mesh_more();
-      case SurfaceStage::seams: return then(SurfaceStage::done, finish());
+      case SurfaceStage::seams: return finish();
       case SurfaceStage::done: break;
     }
     return std::nullopt;
@@ -149,14 +151,11 @@ class SurfaceMesher::Run {
     if (!charts_->done()) return std::nullopt;
     MeshedCharts made = charts_->take();
     charts_.reset();
-    if (made.failures.empty()) {
-      outcome_.mesh = std::move(made.mesh);
-      stage_ = SurfaceStage::seams;
-    } else {
-      if (outcome_.report.rounds == most_rounds) return failed(made.failures.front());
-      shrink_sizes(made.failures);
-      ++outcome_.report.rounds;
-    }
+    outcome_.mesh = std::move(made.mesh);
+    std::vector<Fault> faults = faults_of(made.failures);
+    if (faults.empty()) faults = faults_of(outcome_.mesh);
+    if (!faults.empty()) return try_again(faults);
+    stage_ = SurfaceStage::seams;
     return std::nullopt;
   }
 
@@ -166,25 +165,50 @@ class SurfaceMesher::Run {
     auto nodes = mesh_curves(surface(), lines_, curves_, size_);
     if (!nodes) return nodes.error();
     nodes_ = std::move(*nodes);
-    charts_.emplace(charted(), chart_options(options_));
+    charts_.emplace(charted(), chart_options(options_), made_);
     return std::nullopt;
   }
 
-  void shrink_sizes(const std::vector<ChartFailure>& failures) {
-    std::vector<char> meant(size_.size(), 0);
-    for (const ChartFailure& failure : failures)
-      for (const Index v : atlas_.charts[failure.chart].vertex) meant[v] = 1;
-    for (std::size_t v = 0; v < size_.size(); ++v)
-      if (meant[v]) size_[v] *= smaller;
-    limit_surface_growth(surface(), options_.growth, size_);
+  std::vector<Fault> faults_of(std::vector<ChartFailure>& failures) const {
+    std::vector<Fault> faults;
+    for (ChartFailure& failure : failures)
+      faults.push_back(
+          {std::move(failure.error), failure.place, atlas_.charts[failure.chart].vertex});
+    return faults;
   }
 
-  Error failed(const ChartFailure& failure) const {
-    const Index t = atlas_.charts[failure.chart].triangles.front();
-    const Vec3 at = surface().points[surface().triangles[t][0]];
+  std::vector<Fault> faults_of(const ShellMesh& mesh) const {
+    constexpr std::size_t limit = 100;
+    std::vector<Fault> faults;
+    for (const Violation& wrong : check_shell(surface(), mesh, limit)) {
+      faults.push_back({{ErrorCode::no_valid_mesh, wrong.what, {}}, {}, {}});
+      if (wrong.vertex != none) faults.back().place = mesh.places[wrong.vertex];
+    }
+    return faults;
+  }
+
+  /// Another round with smaller sizes, unless there have been enough.
+  std::optional<Error> try_again(const std::vector<Fault>& faults) {
+    Index& round = outcome_.report.rounds;
+    if (round == most_rounds ||
+        !make_smaller(surface(), faults, round > local_rounds, options_.growth, size_))
+      return failed(faults.front());
+    ++round;
+    stage_ = SurfaceStage::mesh;
+    return std::nullopt;
+  }
+
+  Error failed(const Fault& fault) const {
+    Vec3 at;
+    if (fault.place.triangle != none)
+      at = point_at(surface(), fault.place);
+    else if (!fault.everywhere.empty())
+      at = surface().points[fault.everywhere[0]];
+    else
+      return {ErrorCode::no_valid_mesh, "No valid mesh was found: " + fault.error.message, {}};
     return {ErrorCode::no_valid_mesh,
             "No mesh was found for the part of the surface near (" + short_number(at.x) + ", " +
-                short_number(at.y) + ", " + short_number(at.z) + "): " + failure.error.message,
+                short_number(at.y) + ", " + short_number(at.z) + "): " + fault.error.message,
             {}};
   }
 
@@ -194,7 +218,13 @@ class SurfaceMesher::Run {
       const StageTimer timer = timed("seams");
       report.seams = finish_seams(charted(), chart_options(options_), outcome_.mesh);
     }
-    if (auto error = check()) return *error;
+    std::vector<Fault> faults;
+    {
+      const StageTimer timer = timed("check");
+      faults = faults_of(outcome_.mesh);
+    }
+    if (!faults.empty()) return try_again(faults);
+    stage_ = SurfaceStage::done;
     count_lines();
     find_face_groups();
     report.charts = static_cast<Index>(atlas_.charts.size());
@@ -211,13 +241,6 @@ class SurfaceMesher::Run {
           {ErrorCode::no_valid_mesh,
            "Not all quads are convex: " + std::to_string(bent) + ". A smaller size may help.",
            {}});
-    return std::nullopt;
-  }
-
-  std::optional<Error> check() {
-    const StageTimer timer = timed("check");
-    if (const auto wrong = check_shell(surface(), outcome_.mesh); !wrong.empty())
-      return Error{ErrorCode::no_valid_mesh, "No valid mesh was found: " + wrong.front().what, {}};
     return std::nullopt;
   }
 
@@ -252,6 +275,7 @@ class SurfaceMesher::Run {
   Atlas atlas_;
   SurfaceCurves curves_;
   CurveMesh nodes_;
+  PlaneMeshes made_;
   std::optional<ChartsMesher> charts_;  // while they are meshed
 };
 

@@ -23,6 +23,8 @@ struct ShellMesh {
   std::vector<Index> face;                  // #F  face of the surface, between features
   std::vector<char> pinned;                 // #V  on a feature or border: 1, a corner: 2, free: 0
   std::vector<std::array<Index, 2>> edges;  // #E  edges on features and borders, a < b, sorted
+  // #E  faces that the surface has there: beside a -> b, and beside b -> a
+  std::vector<std::array<Index, 2>> sides;
 };
 
 }  // namespace lpq

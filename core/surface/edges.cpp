@@ -71,8 +71,8 @@ Csr<Index> edges_at_vertices(const SurfaceEdges& edges, Index vertex_count,
   return rows;
 }
 
-std::vector<char> pinched_vertices(std::span<const Tri> triangles, const SurfaceEdges& edges,
-                                   Index vertex_count) {
+std::vector<Index> parts_at_vertices(std::span<const Tri> triangles, const SurfaceEdges& edges,
+                                     Index vertex_count) {
   const Index* corners = reinterpret_cast<const Index*>(triangles.data());
   const Index corner_count = 3 * static_cast<Index>(triangles.size());
   const auto corner_at = [corners](Index e, Index vertex) {
@@ -87,6 +87,12 @@ std::vector<char> pinched_vertices(std::span<const Tri> triangles, const Surface
   }
   std::vector<Index> parts(static_cast<std::size_t>(vertex_count), 0);
   for (Index e = 0; e < corner_count; ++e) parts[corners[e]] += sets.root(e) == e;
+  return parts;
+}
+
+std::vector<char> pinched_vertices(std::span<const Tri> triangles, const SurfaceEdges& edges,
+                                   Index vertex_count) {
+  const std::vector<Index> parts = parts_at_vertices(triangles, edges, vertex_count);
   std::vector<char> pinched(parts.size());
   for (std::size_t v = 0; v < parts.size(); ++v) pinched[v] = parts[v] > 1;
   return pinched;

@@ -29,8 +29,12 @@ SurfaceEdges surface_edges(std::span<const Tri> triangles, Index vertex_count);
 Csr<Index> edges_at_vertices(const SurfaceEdges& edges, Index vertex_count,
                              std::span<const char> chosen = {});
 
-/// Vertices where parts of the surface meet in this one point only: going around across edges,
-/// walls or not, does not reach every triangle there. #V
+/// In how many parts the surface comes to each vertex: going around across edges, walls or not,
+/// reaches every triangle of a part. #V
+std::vector<Index> parts_at_vertices(std::span<const Tri> triangles, const SurfaceEdges& edges,
+                                     Index vertex_count);
+
+/// Vertices where more than one part of the surface meets. #V
 std::vector<char> pinched_vertices(std::span<const Tri> triangles, const SurfaceEdges& edges,
                                    Index vertex_count);
 
