@@ -1,31 +1,24 @@
-// A monkey at the page: seeded random presets, edits, pointers, keys, options, layers, seeks, undo and
+// A monkey at the page: fifty projects to begin with, seeded random edits, pointers, keys, options, layers, seeks, undo and
 // redo, faster than the mesher follows. Whatever it does: no error, nothing lost by undo, and no mesh
 // shown as current that is not the drawing's. LPQ_MONKEY says how many actions, LPQ_SEED which.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { createLpquad } from '../../dist/node.js';
-import { presets } from '../../web/sketch/presets.js';
 import { readProject } from '../../web/state/project_file.js';
+import { toFragment } from '../../web/state/link.js';
 import { toCall } from '../../web/state/project.js';
+import { createDice } from './dice.mjs';
+import { startProjects } from './starts.mjs';
 import { startPlayground } from './support.mjs';
 
 const count = Number(process.env.LPQ_MONKEY ?? 150), seed = Number(process.env.LPQ_SEED ?? 1);
 const rest = 40;  // actions between two waits for the mesher
+const projects = startProjects(seed);
+let opened = 0;  // of these, one after the other
 
 let playground;
 before(async () => { playground = await startPlayground(); });
 after(() => playground.close());
-
-/** mulberry32 */
-function createRandom(state) {
-  const random = () => {
-    state = (state + 0x6d2b79f5) | 0;
-    let t = Math.imul(state ^ (state >>> 15), 1 | state);
-    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
-    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
-  };
-  return { random, below: (n) => Math.floor(random() * n), pick: (list) => list[Math.floor(random() * list.length)] };
-}
 
 /** In the page: what must hold at every moment; '' if it does. */
 const broken = () => {
@@ -48,7 +41,7 @@ const broken = () => {
 
 /** What the monkey can do. Each is told the page and the dice. */
 const tricks = {
-  preset: (page, dice) => page.evaluate((project) => globalThis.playground.store.change('Preset', project), dice.pick(presets).project),
+  project: (page) => page.evaluate((project) => globalThis.playground.store.change('Project', project), projects[opened++ % projects.length]),
   option: (page, dice) => page.evaluate((options) => globalThis.playground.store.change('Options', ({ options: before }) => ({ options: { ...before, ...options } })),
     dice.pick([{ norm: dice.pick([2, 4, 6]) }, { iterations: dice.below(30) }, { method: dice.pick(['best', 'paper']) }, { seeds: dice.pick(['aligned', 'isotropic', 'automatic']) },
       { keepBoundary: dice.random() < 0.3 }, { smoothing: dice.below(40) }, { seed: dice.below(9) }])),
@@ -99,9 +92,18 @@ const calm = async (page) => {
   }, null, { timeout: 180000 });
 };
 
+test('fifty different projects to begin with, and each has a mesh', async () => {
+  const lpquad = await createLpquad();
+  assert.equal(new Set(projects.map((project) => JSON.stringify(toCall(project)))).size, 50);
+  for (const project of projects) {
+    const { domain, options } = toCall(project);
+    assert.equal(lpquad.meshDomain(domain, options).report.triangles, 0, project.name || project.preset);
+  }
+});
+
 test(`${count} actions with seed ${seed}`, { timeout: 3_600_000 }, async (t) => {
-  const dice = createRandom(seed), lpquad = await createLpquad(), done = [];
-  const page = await playground.open({ hash: `#preset=${dice.pick(presets).id}`, offline: false });
+  const dice = createDice(seed), lpquad = await createLpquad(), done = [];
+  const page = await playground.open({ hash: await toFragment(dice.pick(projects)), offline: false });
   page.on('dialog', (dialog) => dialog.dismiss());
   await calm(page);
   let compared = 0;
@@ -116,7 +118,7 @@ test(`${count} actions with seed ${seed}`, { timeout: 3_600_000 }, async (t) => 
     await calm(page);
     compared += await compare(page, lpquad);
   }
-  t.diagnostic(`${compared} meshes compared with those of Node`);
+  t.diagnostic(`${Math.min(opened, projects.length)} of ${projects.length} projects, ${compared} meshes compared with those of Node`);
   await page.context().close();
 });
 
