@@ -1,5 +1,5 @@
-// How fast the playground draws, in a software-rendered Chromium: milliseconds per layer for 20,000
-// elements, and the longest task of the page while 10,000 quads are computed and drawn. Prints;
+// How fast the playground is there and draws, in a software-rendered Chromium: when something and when
+// the mesh is first seen, milliseconds per layer for 20,000 elements, and the longest task of the page while 10,000 quads are computed and drawn. Prints;
 // judges nothing.
 // usage: node tests/bench/web_bench.mjs   (after npm run build and vite build -c web/vite.config.js)
 import { fileURLToPath } from 'node:url';
@@ -157,7 +157,32 @@ async function dragging(playground) {
   await page.context().close();
 }
 
+/** In the page: when its first contents were painted, and when the first picture of a mesh was drawn. */
+async function firstSights() {
+  const painted = new Promise((resolve) => {
+    new PerformanceObserver((list) => {
+      for (const { name, startTime } of list.getEntries()) if (name === 'first-contentful-paint') resolve(startTime);
+    }).observe({ type: 'paint', buffered: true });
+  });
+  while (!globalThis.playground?.runner.run.frame) await new Promise(requestAnimationFrame);
+  await new Promise(requestAnimationFrame);
+  return [await painted, performance.now()];
+}
+
+/** New visitors, one after the other: nothing of the page is in their caches. */
+async function loading(playground, visitors = 9) {
+  const times = [];
+  for (let k = 0; k < visitors; ++k) {
+    const page = await playground.open({ width: 1440, height: 900, still: false });
+    times.push(await page.evaluate(firstSights));
+    await page.context().close();
+  }
+  const at = (what, share) => times.map((one) => one[what]).sort((a, b) => a - b)[Math.floor(share * (visitors - 1))].toFixed(0);
+  console.log(`after a click on the link, ms: first paint ${at(0, 0.5)} in the median, ${at(0, 1)} at worst; first mesh ${at(1, 0.5)}, ${at(1, 1)}\n`);
+}
+
 const playground = await startPlayground(), server = await serve({ source: { folder: folder('web') } });
+await loading(playground);
 await layers(playground, server);
 await longTasks(playground, 'auto');
 await longTasks(playground, ['boundary', 'cells', 'density', 'triangles', 'sizes', 'quads', 'quality', 'valence']);

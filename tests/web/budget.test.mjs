@@ -16,6 +16,15 @@ test('all scripts together, workers and lazy parts included, stay within 150 kB'
   assert.ok(bytes <= 150_000, `${bytes} bytes`);
 });
 
+test('what the first paint waits for is small: the page, its style, and no script', (t) => {
+  const html = readFileSync(join(folder, 'index.html'), 'utf8'), gzipped = (bytes) => gzipSync(bytes, { level: 9 }).length;
+  const styles = [...html.matchAll(/<link[^>]*rel="stylesheet"[^>]*href="([^"]+)"/g)].map(([, href]) => readFileSync(join(folder, href)));
+  const bytes = [Buffer.from(html), ...styles].reduce((sum, file) => sum + gzipped(file), 0);
+  t.diagnostic(`${bytes} bytes in ${1 + styles.length} files`);
+  assert.ok(styles.length >= 1 && bytes <= 30_000, `${bytes} bytes`);
+  for (const [script] of html.matchAll(/<script[^>]*>/g)) assert.match(script, /type="module"/);
+});
+
 test('the page asks nobody else for anything', () => {
   const html = readFileSync(join(folder, 'index.html'), 'utf8');
   assert.doesNotMatch(html, /(?:src|href)="(?:https?:)?\/\//);
