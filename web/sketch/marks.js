@@ -4,11 +4,13 @@
 /** @import { Sketch } from './sketch.js' */
 import { toScreen } from '../draw/view.js';
 import { pathOf, pathsOf, vertexAt } from './model/drawing.js';
+import { edgeLengths, median } from './model/geometry.js';
 import { gridSizeOf } from './model/snap.js';
 
 /** @typedef {CanvasRenderingContext2D} Context */
 
 const handle = 3;          // pixels, half a side
+const apart = 4;           // handles whose middles are closer than so many half sides are drawn smaller
 const fewHandles = 4000;   // drawn; of more only those of the chosen outline
 
 /** @param {Context} context  @param {View} view  @param {Point[]} path  @param {boolean} [closed] */
@@ -27,13 +29,20 @@ function ring(context, view, [x, y], radius) {
 /** @param {Sketch} sketch  @returns {Palette} */
 const paletteOf = (sketch) => sketch.stage.scene().palette;
 
+/** Half a side of the handles on a path: on crowded ones they leave the drawing to be seen. @param {View} view  @param {Point[]} points */
+function handleOf(view, points) {
+  if (points.length < 2) return handle;
+  return Math.max(1, Math.min(handle, median(edgeLengths(points, false)) * view.scale / apart));
+}
+
 /** @param {Context} context  @param {View} view  @param {Point[]} points  @param {Palette} palette */
 function drawHandles(context, view, points, palette) {
+  const half = handleOf(view, points);
   context.beginPath();
   for (const [x, y] of points) {
     const [sx, sy] = toScreen(view, x, y);
-    if (sx > -handle && sy > -handle && sx < view.width + handle && sy < view.height + handle)
-      context.rect(Math.round(sx) - handle, Math.round(sy) - handle, 2 * handle, 2 * handle);
+    if (sx > -half && sy > -half && sx < view.width + half && sy < view.height + half)
+      context.rect(Math.round(sx) - half, Math.round(sy) - half, 2 * half, 2 * half);
   }
   context.fillStyle = palette.background;
   context.strokeStyle = palette.boundary;
