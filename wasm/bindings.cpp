@@ -26,9 +26,7 @@ UserFields fields_from(const val& fields) {
   UserFields user;
   user.sizes = sizes_from(fields["sizes"]);
   user.guides = guides_from(fields["guides"]);
-  const std::vector<double> seeds = doubles_from(fields["seeds"]);
-  for (std::size_t i = 0; i + 1 < seeds.size(); i += 2)
-    user.seeds.push_back({seeds[i], seeds[i + 1]});
+  user.seeds = points_from(fields["seeds"]);
   const val size = fields["size"], angle = fields["angle"];
   if (!size.isUndefined()) user.size = [size](Vec2 p) { return size(p.x, p.y).as<double>(); };
   if (!angle.isUndefined()) user.angle = [angle](Vec2 p) { return angle(p.x, p.y).as<double>(); };

@@ -202,6 +202,7 @@ DomainInput domain_from(const val& packed) {
   domain.h = packed["h"].as<double>();
   domain.sizes = sizes_from(packed["sizesAt"]);
   domain.guides = guides_from(packed["guides"]);
+  domain.seeds = points_from(packed["seeds"]);
   return domain;
 }
 

@@ -41,7 +41,8 @@ std::vector<std::string> strings_from(const val& array);
 ///   sizes: Int32Array     points of each loop, then of each polyline
 ///   points: Float64Array  of all loops, all polylines, then the single points
 ///   tags: string[], edgeTags: Int32Array (per loop edge, -1 = untagged; empty = none),
-///   polylineTags, pointTags: Int32Array, h: number, sizesAt, guides: as below
+///   polylineTags, pointTags: Int32Array, h: number, sizesAt, guides: as below,
+///   seeds: Float64Array
 DomainInput domain_from(const val& packed);
 
 /// Float64Array x, y, h, ...

@@ -38,6 +38,7 @@ struct DomainInput {
   double h = 0;               // mesh size that came with the domain, 0 = none
   std::vector<SizeAt> sizes;  // target sizes at points
   std::vector<Guide> guides;  // strokes whose direction the quads follow; no edges of the mesh
+  std::vector<Vec2> seeds;    // interior points to start L_p from; empty = the method chooses
 };
 
 struct DomainOptions {

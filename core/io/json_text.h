@@ -15,6 +15,12 @@ inline constexpr std::size_t json_max_text = std::size_t{1} << 30;  // bytes
 inline constexpr std::size_t json_max_depth = 64;                   // a domain needs 7, GeoJSON 10
 inline constexpr int json_number_overflow = 406;  // nlohmann's identifier of the message
 
+/// What json_sax::number_integer is told. Only integers with a minus sign come there (the others
+/// come to number_unsigned), so that zero was written -0, and keeps its sign.
+inline double signed_integer_to_double(std::int64_t value) {
+  return value == 0 ? -0.0 : static_cast<double>(value);
+}
+
 class JsonText {
  public:
   using Sax = nlohmann::json_sax<nlohmann::json>;

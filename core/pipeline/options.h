@@ -52,8 +52,8 @@ struct Options {
   int max_elements = 10'000'000;
 };
 
-/// What the caller knows better than the mesher, in the caller's units; all optional. Sizes and
-/// guides given here stand in for those that came with the domain.
+/// What the caller knows better than the mesher, in the caller's units; all optional. Sizes,
+/// guides and seeds given here stand in for those that came with the domain.
 struct UserFields {
   using SizeAt = DomainInput::SizeAt;
   using Guide = DomainInput::Guide;

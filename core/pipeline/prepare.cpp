@@ -115,6 +115,7 @@ Result<bool> judge_seeds(const std::vector<Vec2>& seeds) {
 UserFields with_those_of(const DomainInput& input, UserFields user) {
   if (user.sizes.empty()) user.sizes = input.sizes;
   if (user.guides.empty()) user.guides = input.guides;
+  if (user.seeds.empty()) user.seeds = input.seeds;
   return user;
 }
 
@@ -133,7 +134,8 @@ Result<Preparation> prepare(const DomainInput& input, const Options& options,
     return size_error("The mesh size must be a positive finite number, or 0 for the domain's own.");
   if (const auto ranges = check_ranges(options); !ranges) return ranges.error();
 
-  if (const auto finite = judge_seeds(user.seeds); !finite) return finite.error();
+  const UserFields given = with_those_of(input, user);
+  if (const auto finite = judge_seeds(given.seeds); !finite) return finite.error();
 
   Preparation prepared;
   auto domain = make_domain(input, {.strict = options.strict});
@@ -148,11 +150,10 @@ Result<Preparation> prepare(const DomainInput& input, const Options& options,
   prepared.boundary = std::move(*boundary);
 
   const UnitFrame& frame = prepared.domain.frame;
-  auto fields = make_fields(prepared.boundary,
-                            field_options(frame, options, with_those_of(input, user), *size));
+  auto fields = make_fields(prepared.boundary, field_options(frame, options, given, *size));
   if (!fields) return in_world(fields.error(), frame);
   prepared.fields = std::move(*fields);
-  for (const Vec2 seed : user.seeds) prepared.seeds.push_back(prepared.domain.frame.to_frame(seed));
+  for (const Vec2 seed : given.seeds) prepared.seeds.push_back(frame.to_frame(seed));
   return prepared;
 }
 

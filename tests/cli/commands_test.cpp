@@ -63,6 +63,37 @@ TEST_CASE("drawings are domains too, and what they leave out is reported") {
   CHECK(run({"mesh", folder.write("x.stl", "solid x"), "-o", mesh}).code == 3);
 }
 
+TEST_CASE("a kept boundary comes back bit for bit, zeros with their signs") {
+  const ScratchFolder folder("signed_zeros");
+  const std::string mesh = folder / "mesh.obj";
+  const auto made = run({"mesh", domains + "/signed_zeros.json", "-o", mesh, "--keep-boundary"});
+  INFO(made.err);
+  REQUIRE(made.code == 0);
+  std::string nodes;
+  for (const char* node : {"-1 -1", "-0 -1", "1 -1", "1 -0", "1 1", "0 1", "-1 1", "-1 -0"})
+    nodes += "v " + std::string(node) + " 0\n";
+  CHECK(contains(file_text(mesh), nodes));
+}
+
+TEST_CASE("points to start from may come in the domain's file") {
+  const ScratchFolder folder("seed_points");
+  std::string points;
+  for (int i = 1; i < 10; ++i)
+    for (int j = 1; j < 10; ++j)
+      points +=
+          (points.empty() ? "[0." : ",[0.") + std::to_string(i) + ",0." + std::to_string(j) + "]";
+  const std::string domain = folder.write(
+      "grid.json", R"({"loops": [[[0,0],[1,0],[1,1],[0,1]]], "seedPoints": [)" + points + "]}");
+  const auto made = run({"mesh", domain, "-o", folder / "grid.obj", "--size", "0.1", "--method",
+                         "paper", "--report", folder / "report.json"});
+  INFO(made.err);
+  REQUIRE(made.code == 0);
+  const std::string report = file_text(folder / "report.json");
+  CHECK(contains(report, "\"seeds\":81"));
+  CHECK(contains(report, "\"chain\":\"given + L_p"));
+  CHECK(contains(report, "\"quads\":100"));
+}
+
 TEST_CASE("the same run writes the same bytes") {
   const ScratchFolder folder("same_bytes");
   const std::string domain = domains + "/gear.json";

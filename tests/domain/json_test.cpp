@@ -1,4 +1,5 @@
 // The JSON reader: what it takes, and where it says the text is wrong.
+#include <cmath>
 #include <string>
 
 #include "catch.h"
@@ -109,6 +110,37 @@ TEST_CASE("wrong kinds of value are named by their path") {
   CHECK(mentions(refused("[]"), "should be an object"));
   CHECK(mentions(refused("{}"), "neither"));
   CHECK(refused("{\n\n\"loops\": [[[0, 0], [1, null]]]}").where.line == 3);
+}
+
+TEST_CASE("points to start from") {
+  const auto input = parse_domain_json(
+      R"({"seedPoints": [[0.5, 0.25], [-0, 2]], "loops": [[[0,0],[1,0],[1,1]]]})");
+  REQUIRE(input.has_value());
+  CHECK(input->regions.at(0).loops.at(0).size() == 3);
+  const auto again = parse_domain_json(write_domain_json(*input));
+  REQUIRE(again.has_value());
+  CHECK(input->seeds == std::vector<Vec2>{{0.5, 0.25}, {0, 2}});
+  CHECK(again->seeds == input->seeds);
+  CHECK(mentions(refused(R"({"loops": [], "seedPoints": 5})"), "seedPoints should be an array"));
+  CHECK(mentions(refused(R"({"loops": [], "seedPoints": [1, 2]})"), "seedPoints[0] should be"));
+  CHECK(mentions(refused(R"({"loops": [], "seedPoints": [[1]]})"), "seedPoints[0]"));
+  CHECK(mentions(refused(R"({"loops": [], "seedPoints": [[1, 2, 3]]})"), "seedPoints[0][2]"));
+  CHECK(refused(R"({"loops": [], "seedPoints": [[1, NaN]]})").code == ErrorCode::non_finite);
+}
+
+TEST_CASE("zeros keep their signs, however they are written") {
+  const auto input = parse_domain_json(
+      R"({"loops": [[[-0, 0], [-0.0, 0.0], [-0e0, -1]]], "sizes": [[-0, 0, 1]]})");
+  REQUIRE(input.has_value());
+  const auto again = parse_domain_json(write_domain_json(*input));
+  REQUIRE(again.has_value());
+  for (const DomainInput& read : {*input, *again}) {
+    for (const Vec2 p : read.regions.at(0).loops.at(0)) CHECK(std::signbit(p.x));
+    CHECK_FALSE(std::signbit(read.regions[0].loops[0][0].y));
+    CHECK_FALSE(std::signbit(read.regions[0].loops[0][1].y));
+    CHECK(read.regions[0].loops[0][2].y == -1);
+    CHECK(std::signbit(read.sizes.at(0).position.x));
+  }
 }
 
 TEST_CASE("numbers beyond double and NaN are not finite") {

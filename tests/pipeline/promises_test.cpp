@@ -155,6 +155,16 @@ TEST_CASE("L_p squares up the caller's own start: paper Fig. 12") {
   CHECK(outcome->report.tau > 0.999);
   CHECK(outcome->report.quality.quads == 100);
 
+  DomainInput carrying = square(1, 0.1);
+  carrying.seeds = user.seeds;
+  const Options paper{.keep_boundary = true, .method = Method::paper};
+  CHECK(mesh_domain(carrying, paper)->report.hash == outcome->report.hash);
+  carrying.seeds = {{0.5, 0.5}};
+  CHECK(mesh_domain(carrying, paper, {}, nullptr, user)->report.hash == outcome->report.hash);
+  CHECK(mesh_domain(carrying, paper)->report.seeds == 1);
+
+  carrying.seeds = {{0.5, std::nan("")}};
+  CHECK(mesh_domain(carrying, kept).error().code == ErrorCode::non_finite);
   user.seeds.push_back({0.5, std::nan("")});
   const auto refused = mesh_domain(square(1, 0.1), kept, {}, nullptr, user);
   REQUIRE(!refused);

@@ -148,7 +148,7 @@ test('regions, tags, polylines and points reach the mesh by name', () => {
   assert.ok(between.length > 0);
 });
 
-test('a start of the caller\'s own is squared up, and the run says how far it is', () => {
+test('a start of the caller\'s own is squared up, and the run says how far it is', async () => {
   const seedPoints = [];
   for (let j = 1; j < 10; ++j)
     for (let i = 1; i < 10; ++i) seedPoints.push([(i + 0.1 * Math.sin(9 * i + 5 * j)) / 10, (j + 0.1 * Math.cos(7 * i * j)) / 10]);
@@ -161,6 +161,11 @@ test('a start of the caller\'s own is squared up, and the run says how far it is
   assert.equal(mesh.report.seeds, 81);
   assert.equal(mesh.report.lp.gradientNorm[0], first.gradientNorm);
   assert.equal(meshHash(mesh), meshHash(lpquad.meshDomain(square, { size: 0.1, method: 'paper', seedPoints: seedPoints.flat() })));
+  const read = await lpquad.readDomain(JSON.stringify({ ...square, seedPoints }));
+  assert.deepEqual(read.seedPoints, seedPoints);
+  for (const [domain, options] of [[{ ...square, seedPoints }, {}], [{ ...square, seedPoints: Float64Array.from(seedPoints.flat()) }, {}], [read, {}],
+    [{ ...square, seedPoints: [[0.5, 0.5]] }, { seedPoints }]])
+    assert.equal(meshHash(lpquad.meshDomain(domain, { size: 0.1, method: 'paper', ...options })), meshHash(mesh));
   session.dispose();
 });
 

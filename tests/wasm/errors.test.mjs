@@ -78,11 +78,14 @@ test('options are known by name, type and range', () => {
     { size: 0.25, norm: undefined, sizes: undefined, guides: undefined }).report.quads, 16);
 });
 
-test('sizes and guides of a domain are judged as its other members are', () => {
+test('sizes, guides and seed points of a domain are judged as its other members are', () => {
   for (const sizes of [5, [[1, 2]], [1, 2], [[1, 2, NaN]]])
     assert.match(errorOf('PARSE_ERROR', () => lpquad.meshDomain({ ...square, sizes })).message, /^domain\.sizes /);
   assert.match(errorOf('PARSE_ERROR', () => lpquad.meshDomain({ ...square, guides: [[[0, 0], 1]] })).message,
     /^domain\.guides\[0\]\[1\] /);
+  for (const seedPoints of [5, [1], [[1]], [[1, 2, 3]]])
+    assert.match(errorOf('PARSE_ERROR', () => lpquad.meshDomain({ ...square, seedPoints })).message, /^domain\.seedPoints/);
+  errorOf('NON_FINITE', () => lpquad.meshDomain({ ...square, seedPoints: [[0.5, Infinity]] }));
   const { where } = errorOf('NON_FINITE', () =>
     lpquad.meshDomain({ ...square, guides: [[0, 0, 1, 1], [[0, 0], [0, NaN]]] }));
   assert.deepEqual(where, { guide: 1, edge: 1 });

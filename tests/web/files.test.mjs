@@ -32,7 +32,8 @@ const parts = {
   },
 };
 const painted = { ...parts, options: {}, sizes: [[0, 0, 0.05], [2, 1, 0.2]] };
-const projects = { plate: presets[0].project, square: presets.find(({ id }) => id === 'square').project, parts, painted };
+const presetOf = (id) => presets.find((preset) => preset.id === id).project;
+const projects = { plate: presets[0].project, square: presetOf('square'), 'paper-d': presetOf('paper-d'), parts, painted };
 const hashes = Object.fromEntries(Object.entries(projects).map(([name, project]) => {
   const { domain, options } = toCall(project);
   return [name, lpquad.meshDomain(domain, options).report.hash];
@@ -53,8 +54,8 @@ test('the JavaScript runs as it is and makes the same mesh', () => {
 test('the command line does too, native where it is built', () => {
   const native = join(root, 'build/release/bin/lpquad');
   const command = existsSync(native) ? `'${native}'` : `'${process.execPath}' '${join(root, 'dist/cli.js')}'`;
-  for (const name of ['plate', 'square', 'parts']) {
-    const script = `lpquad() { ${command} "$@"; }\n${toCommand(projects[name], lpquad.options, name)}`;
+  for (const [name, project] of Object.entries(projects)) {
+    const script = `lpquad() { ${command} "$@"; }\n${toCommand(project, lpquad.options, name)}`;
     execFileSync('bash', ['-eu', '-c', script], { cwd: folder, stdio: 'pipe' });
     assert.equal(JSON.parse(readFileSync(join(folder, `${name}.report.json`))).hash, hashes[name], name);
   }

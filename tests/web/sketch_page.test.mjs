@@ -331,7 +331,12 @@ test('files are opened by the button, dropped and pasted', async () => {
   }, readFileSync(new URL('../fixtures/domains/l_shape.json', import.meta.url), 'utf8'));
   await page.waitForFunction(() => globalThis.playground.store.project.drawing.regions[0].loops[0].length === 6);
   await finished(page);
-  for (let i = 0; i < 3; ++i) await undo(page);
+  const steering = { sizes: [[0.5, 0.5, 0.1]], guides: [[[0.2, 0.3], [0.8, 0.6]]], seedPoints: [[0.5, 0.5], [0.25, 0.75]] };
+  await drop(page, 'steered.json', JSON.stringify({ loops: [[[0, 0], [1, 0], [1, 1], [0, 1]]], h: 0.2, ...steering }));
+  await page.waitForFunction(() => globalThis.playground.store.project.seedPoints.length === 2);
+  assert.deepEqual(await page.evaluate(() => (({ sizes, guides, seedPoints }) => ({ sizes, guides, seedPoints }))(globalThis.playground.store.project)), steering);
+  await finished(page);
+  for (let i = 0; i < 4; ++i) await undo(page);
   assert.equal(await page.evaluate(() => globalThis.playground.store.project.preset), 'plate');
   await close(page);
 });

@@ -94,7 +94,7 @@ function packLoops(packed, { loops, tags }, path, region, names) {
 const comments = ['name', 'description', 'source', 'licence', 'license', 'warnings'];
 
 function packRegions(packed, domain, names) {
-  checkObject(domain, 'domain', ['loops', 'tags', 'regions', 'polylines', 'points', 'h', 'sizes', 'guides', ...comments]);
+  checkObject(domain, 'domain', ['loops', 'tags', 'regions', 'polylines', 'points', 'h', 'sizes', 'guides', 'seedPoints', ...comments]);
   if (domain.regions === undefined) {
     packed.regions.push('');
     return packLoops(packed, domain, 'domain', 0, names);
@@ -153,16 +153,17 @@ export const sizesForm = 'points with a target size each: [[x, y, h], …], all 
 /** @param {import('./index.js').Domain} domain */
 export function packDomain(domain) {
   const packed = { regions: [], loopsPerRegion: [], sizes: [], points: [], edgeTags: [],
-    polylineTags: [], pointTags: [] };
+    polylineTags: [], pointTags: [], seeds: [] };
   const names = new Names(), h = [0];
   packRegions(packed, domain, names);
   packPolylines(packed, domain.polylines ?? [], names);
   packPoints(packed, domain.points ?? [], names);
+  appendPoints(packed.seeds, domain.seedPoints ?? [], 'domain.seedPoints');
   if (domain.h !== undefined) appendNumber(h, domain.h, 'domain.h');
   const sizesAt = flatTuples(domain.sizes ?? [], 3);
   if (sizesAt === null) fail('domain.sizes', sizesForm, domain.sizes);
   return { regions: packed.regions, tags: names.list, h: h.at(-1), sizesAt,
-    guides: packGuides(domain.guides ?? [], 'domain.guides'),
+    guides: packGuides(domain.guides ?? [], 'domain.guides'), seeds: Float64Array.from(packed.seeds),
     points: Float64Array.from(packed.points),
     loopsPerRegion: Int32Array.from(packed.loopsPerRegion), sizes: Int32Array.from(packed.sizes),
     edgeTags: Int32Array.from(packed.edgeTags),

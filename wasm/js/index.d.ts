@@ -44,9 +44,10 @@ export interface DomainParts {
   points?: ReadonlyArray<readonly [number, number] | { position: readonly [number, number]; tag?: string }>;
   /** Target edge length that comes with the domain; `MeshOptions.size` wins over it. */
   h?: number;
-  /** Target sizes and guides that come with the domain, in the form of the options of these names, which win. */
+  /** What comes with the domain of sizes, guides and points to start from, as the options of these names, which win. */
   sizes?: Sizes;
   guides?: Guides;
+  seedPoints?: Loop;
   /** Comments, ignored. */
   name?: string;
   description?: string;
@@ -300,6 +301,7 @@ export type ReadDomain = {
   h?: number;
   sizes?: Array<[number, number, number]>;
   guides?: Array<Array<[number, number]>>;
+  seedPoints?: Array<[number, number]>;
   /** Gaps closed and parts left out. */
   warnings: ReportedError[];
 };

@@ -27,10 +27,11 @@ export function sensibleSize(drawing) {
   return Number(Math.min(diagonal / 40, Math.max(diagonal / 80, spacing)).toPrecision(2));
 }
 
-/** @param {ReadDomain} read  @returns {{drawing: Drawing, size: number}} */
-export function fromRead({ regions, polylines, points, h: given }) {
+/** @param {ReadDomain} read  @returns {Project} */
+export function fromRead({ regions, polylines, points, h: given, sizes = [], guides = [], seedPoints = [] }) {
   const drawing = { regions, polylines, points };
-  return { drawing, size: given !== undefined && given > 0 ? given : sensibleSize(drawing) };
+  const size = given !== undefined && given > 0 ? given : sensibleSize(drawing);
+  return { ...emptyProject, drawing, options: { size }, sizes, guides, seedPoints };
 }
 
 /** @param {Drawing} drawing */
@@ -61,13 +62,10 @@ export function installOpening(app, show) {
 
   /** @param {ReadDomain} domain  @param {string} name */
   function take(domain, name) {
-    const { drawing, size } = fromRead(domain);
     const { layers, comparison } = store.project;
-    /** @type {Project} */
-    const project = { ...emptyProject, drawing, options: { size }, layers, comparison };
-    store.change(`Open ${name}`, project);
+    store.change(`Open ${name}`, { ...fromRead(domain), layers, comparison });
     stage.fit();
-    announce(`${name} opened: ${pointCount(drawing)} points`);
+    announce(`${name} opened: ${pointCount(domain)} points`);
     if (domain.warnings.length > 0)
       show({ title: `${name} was opened, with changes.`, details: domain.warnings.map(({ message }) => message).join(' ') });
   }

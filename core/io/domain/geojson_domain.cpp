@@ -54,7 +54,7 @@ class Reader final : public JsonText::Sax {
   bool boolean(bool) override { return other_value(); }
   bool binary(binary_t&) override { return other_value(); }
   bool number_integer(number_integer_t value) override {
-    return number(static_cast<double>(value));
+    return number(signed_integer_to_double(value));
   }
   bool number_unsigned(number_unsigned_t value) override {
     return number(static_cast<double>(value));

@@ -30,6 +30,7 @@ enum class Role {
   size_at,
   guide_list,
   guide,
+  seed_list,
   size,
   name,
 };
@@ -47,6 +48,7 @@ Role child_role(Role parent, const std::string& key) {
       if (key == "h") return Role::size;
       if (key == "sizes") return Role::size_list;
       if (key == "guides") return Role::guide_list;
+      if (key == "seedPoints") return Role::seed_list;
       return Role::ignored;
     case Role::region:
       if (key == "name") return Role::name;
@@ -63,7 +65,8 @@ Role child_role(Role parent, const std::string& key) {
       return Role::ignored;
     case Role::loop_list: return Role::loop;
     case Role::loop:
-    case Role::guide: return Role::coordinates;
+    case Role::guide:
+    case Role::seed_list: return Role::coordinates;
     case Role::coordinates:
     case Role::size_at:
     case Role::position: return Role::coordinate;
@@ -102,7 +105,8 @@ const char* expected(Role role, Kind kind) {
     case Role::point_list:
     case Role::size_list:
     case Role::guide_list:
-    case Role::guide: return unless(Kind::array, "an array");
+    case Role::guide:
+    case Role::seed_list: return unless(Kind::array, "an array");
     case Role::coordinate:
     case Role::size: return unless(Kind::number, "a number");
     case Role::name: return unless(Kind::string, "a string");
@@ -133,7 +137,7 @@ class Reader final : public nlohmann::json_sax<nlohmann::json> {
   bool boolean(bool) override { return scalar(Kind::other, "a boolean"); }
   bool binary(binary_t&) override { return scalar(Kind::other, "binary data"); }
   bool number_integer(number_integer_t value) override {
-    return number(static_cast<double>(value));
+    return number(signed_integer_to_double(value));
   }
   bool number_unsigned(number_unsigned_t value) override {
     return number(static_cast<double>(value));
@@ -306,6 +310,8 @@ bool Reader::close() {
     input_.points.back().position = point;
   } else if (frames_.back().role == Role::guide) {
     input_.guides.back().push_back(point);
+  } else if (frames_.back().role == Role::seed_list) {
+    input_.seeds.push_back(point);
   } else if (frames_[frames_.size() - 2].role == Role::polyline) {
     input_.polylines.back().points.push_back(point);
   } else {

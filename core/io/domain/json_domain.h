@@ -1,8 +1,8 @@
 // Domains as JSON text: {"loops": [[[x, y], ...], ...], "tags": as below} for one region, or
 // {"regions": [{"name": "steel", "loops": [...], "tags": [["inlet", "", ...], ...]}, ...]},
 // with optional "polylines": [{"points": [[x, y], ...], "tag": ""}],
-// "points": [[x, y] or {"position": [x, y], "tag": ""}], "h": size, "sizes": [[x, y, h], ...] and
-// "guides": [[[x, y], ...], ...]. Other keys are ignored.
+// "points": [[x, y] or {"position": [x, y], "tag": ""}], "h": size, "sizes": [[x, y, h], ...],
+// "guides": [[[x, y], ...], ...] and "seedPoints": [[x, y], ...]. Other keys are ignored.
 #pragma once
 
 #include <string>

@@ -35,7 +35,7 @@ void append_region(JsonWriter& json, const DomainInput::Region& region) {
   json.end_object();
 }
 
-// What steers size and direction, where there is any.
+// What steers sizes, directions and the start, where there is any.
 void append_steering(JsonWriter& json, const DomainInput& domain) {
   if (!domain.sizes.empty()) {
     json.key("sizes");
@@ -49,6 +49,7 @@ void append_steering(JsonWriter& json, const DomainInput& domain) {
     for (const DomainInput::Guide& guide : domain.guides) append_points(json, {}, guide);
     json.end_array();
   }
+  if (!domain.seeds.empty()) append_points(json, "seedPoints", domain.seeds);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ export async function direct(): Promise<void> {
     tags: [['inlet', null, undefined]],
     polylines: [{ points: [[0, 0], [1, 1]], tag: 'crack' }],
     points: [[0.5, 0.5], { position: [0.1, 0.2], tag: 'sensor' }],
-    h: 0.1, sizes: [[0.5, 0.5, 0.01]], guides: [[[0, 0], [1, 1]], Float64Array.of(0, 0, 1, 1)],
+    h: 0.1, sizes: [[0.5, 0.5, 0.01]], guides: [[[0, 0], [1, 1]], Float64Array.of(0, 0, 1, 1)], seedPoints: [[0.5, 0.5]],
   };
   const regions: Domain = { regions: [{ name: 'steel', loops: [[0, 0, 1, 0, 1, 1]] }] };
   const mesh: MeshResult = lpquad.meshDomain(domain, {

@@ -12,7 +12,6 @@ function flag([name, value]) {
 
 /** @param {Project} project  @param {OptionInfo[]} known  @param {string} file  name without ending */
 export function toCommand(project, known, file) {
-  if (project.seedPoints.length > 0) return '# The command line takes no initial points: use the JavaScript or C++ above.\n';
   const command = ['lpquad', 'mesh', `${file}.json`, '-o', `${file}.msh`, '--report', `${file}.report.json`, ...chosen(project, known).map(flag)];
   return `# npm install --global lpquad, or the native program\ncat > ${file}.json <<'END'\n${domainJson(project)}\nEND\n${command.join(' ')}\n`;
 }

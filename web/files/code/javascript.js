@@ -42,10 +42,11 @@ function domain(drawing, as, more = []) {
 }
 
 /** The domain as the command line reads it. @param {Project} project */
-export function domainJson({ drawing, sizes, guides }) {
+export function domainJson({ drawing, sizes, guides, seedPoints }) {
   return domain(drawing, json, [
     ...(sizes.length > 0 ? [`"sizes": ${rows(sizes, '  ')}`] : []),
     ...(guides.length > 0 ? [`"guides": ${list(guides.map((guide) => rows(guide, '    ')), '  ')}`] : []),
+    ...(seedPoints.length > 0 ? [`"seedPoints": ${rows(seedPoints, '  ')}`] : []),
   ]);
 }
 
