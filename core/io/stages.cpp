@@ -1,6 +1,7 @@
 // See stages.h.
 #include "io/stages.h"
 
+#include "io/iterates.h"
 #include "io/json_write.h"
 #include "io/mesh/obj.h"
 #include "io/picture/svg.h"
@@ -228,6 +229,7 @@ void write_stages(const Trace& trace, const Report& report, FileSink sink) {
   sink("sizes.json", sizes_json(fields, frame));
   sink("seeds.json", seeds_json(trace));
   sink("start.obj", write_obj(to_world(trace.start, frame)));
+  write_iterates(trace, sink);
   sink("triangles.obj", write_obj(to_world(trace.triangles, frame)));
   sink("triangles.json", triangles_json(trace.triangles, frame));
   sink("matched_triangles.obj", write_obj(to_world(trace.matched_triangles, frame)));

@@ -1,6 +1,7 @@
 // Every intermediate value of a run as files, for pictures and for checks from outside: the
-// background with its crosses and sizes, the triangles, the Voronoi cells, the energy with its
-// gradient, the matching with its certificate, and the quads after each stage.
+// background with its crosses and sizes, the iterations of L_p (iterates.h), the triangles, the
+// Voronoi cells, the energy with its gradient, the matching with its certificate, and the quads
+// after each stage.
 #pragma once
 
 #include <string>

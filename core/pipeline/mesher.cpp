@@ -7,6 +7,7 @@
 #include "delaunay/delaunay.h"
 #include "lpcvt/seeds.h"
 #include "pipeline/finish.h"
+#include "pipeline/iterate_log.h"
 #include "pipeline/shape_options.h"
 #include "pipeline/stage_timer.h"
 #include "recombine/recombine.h"
@@ -32,6 +33,12 @@ const char* seeds_name(Seeds seeds) { return seeds == Seeds::isotropic ? "isotro
 bool better(const QuadQuality& a, const QuadQuality& b) {
   if (a.triangles != b.triangles) return a.triangles < b.triangles;
   return a.eta_mean + 0.01 * a.four_valent_percent > b.eta_mean + 0.01 * b.four_valent_percent;
+}
+
+// After a step of L_p; once that is over, its optimiser is gone.
+int iterations_done(const Mesher& mesher) {
+  if (mesher.stage() == Stage::optimise) return mesher.iterations();
+  return static_cast<int>(mesher.report().energy_history.size()) - 1;
 }
 
 Error describe(const std::vector<Violation>& violations) {
@@ -350,13 +357,21 @@ Result<Outcome> mesh_domain(const DomainInput& input, const Options& options, Mo
   auto mesher = Mesher::start(input, options, user);
   if (!mesher) return mesher.error();
   if (trace != nullptr) mesher->keep_trace();
+  IterateLog log;
   while (mesher->stage() != Stage::done) {
     const Progress progress{stage_name(mesher->stage()), mesher->iterations(),
                             mesher->max_iterations(), mesher->energy()};
     if (!monitor(progress)) return Error{ErrorCode::cancelled, "The run was cancelled.", {}};
+    const Stage before = mesher->stage();
     if (const auto stage = mesher->step(); !stage) return stage.error();
+    if (trace == nullptr) continue;
+    if (before == Stage::seeds) log = IterateLog();  // another attempt
+    if (before == Stage::optimise) log.add(iterations_done(*mesher), mesher->triangles());
   }
-  if (trace != nullptr) *trace = *mesher->trace();
+  if (trace != nullptr) {
+    *trace = *mesher->trace();
+    trace->iterates = log.take();
+  }
   return Outcome{mesher->output(), mesher->report()};
 }
 

@@ -20,12 +20,19 @@ struct QuadStage {
   QuadMesh mesh;
 };
 
+/// The triangulation after so many iterations of L_p.
+struct Iterate {
+  int iteration = 0;
+  TriMesh mesh;
+};
+
 struct Trace {
   UnitFrame frame;
   // Background mesh, crosses, sizes, singularities; never null.
   std::shared_ptr<const Fields> fields = std::make_shared<const Fields>();
   std::vector<Vec2> seeds;
   TriMesh start;                    // triangulation of the seeds
+  std::vector<Iterate> iterates;    // between start and end, of mesh_domain only
   TriMesh triangles;                // where the points ended
   TriMesh matched_triangles;        // the same after flips and splits: the nodes of `graph`
   ClippedVoronoi cells;             // of `triangles`

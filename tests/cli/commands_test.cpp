@@ -35,8 +35,12 @@ TEST_CASE("a domain becomes every kind of file, and the mesh checks out") {
     CHECK(checked.code == 0);
     CHECK(contains(checked.out, "valid         yes"));
   }
-  for (const char* name : {"plate.svg", "report.json", "stages/cells.json", "stages/energy.json",
-                           "stages/matching.json", "stages/triangles.obj", "stages/crosses.json"}) {
+  CHECK(run({"mesh", domain, "-o", folder / "paper.obj", "--method", "paper", "--stages",
+             folder / "paper"})
+            .code == 0);
+  for (const char* name : {"paper/iterates.json", "paper/iterates.bin", "plate.svg", "report.json",
+                           "stages/cells.json", "stages/energy.json", "stages/matching.json",
+                           "stages/triangles.obj", "stages/crosses.json"}) {
     INFO(name);
     CHECK(file_text(folder / name).size() > 100);
   }

@@ -5,6 +5,7 @@
 
 #include "catch.h"
 #include "io/error_text.h"
+#include "io/iterates.h"
 #include "io/stages.h"
 #include "support/output_meshes.h"
 
@@ -63,6 +64,33 @@ TEST_CASE("a matching is written with its certificate in whole units") {
   CHECK(json.find("\"n\":4,\"cost\":7,") != std::string::npos);
   CHECK(json.find("\"matching\":[[0,1],[2,3]],") != std::string::npos);
   CHECK(json.find("\"y\":[\"") != std::string::npos);
+}
+
+TEST_CASE("the bytes of the iterations are as many as their index says") {
+  // Two triangles, and the cells of their four corners: one piece each.
+  Trace trace;
+  trace.start = {
+      .points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, .triangles = {{0, 1, 2}, {0, 2, 3}}, .fixed = 4};
+  trace.start.twins = {none, none, 3, 2, none, none};
+  trace.start.region = {0, 0};
+  Fields fields;
+  fields.background = trace.start;
+  fields.h = {1, 1, 1, 1};
+  fields.z = {{1, 0}, {1, 0}, {1, 0}, {1, 0}};
+  fields.attach();
+  trace.fields = std::make_shared<const Fields>(std::move(fields));
+  for (const int k : {1, 2}) trace.iterates.push_back({k, trace.start});
+  std::string index, bytes;
+  write_iterates(trace, [&](std::string_view name, const std::string& content) {
+    (name == "iterates.json" ? index : bytes) = content;
+  });
+  CHECK(index.find("\"points\":4,\"boundaryNodes\":4") != std::string::npos);
+  CHECK(index.find("\"iteration\":2,\"triangles\":2,\"pieces\":4,\"corners\":") !=
+        std::string::npos);
+  const std::size_t corners = std::stoul(index.substr(index.rfind(':') + 1));
+  const std::size_t words = 2 * (8 + 4 + 2 * corners) + 6 + 4 + 5;
+  CHECK(bytes.size() == 2 * 4 * (words + words % 2));
+  CHECK(bytes.substr(16, 8) == std::string("\0\0\0\0\0\0\xF0\x3F", 8));  // x of the second point
 }
 
 TEST_CASE("every stage becomes a file with a plain name, even of an empty run") {

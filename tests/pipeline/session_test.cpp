@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "catch.h"
+#include "pipeline/iterate_log.h"
 #include "pipeline/snapshot.h"
 #include "support/shapes.h"
 
@@ -43,6 +44,40 @@ TEST_CASE("a session ends where the batch run ends, however it is stepped") {
   CHECK(by_one.mesher().report().hash == batch->report.hash);
   CHECK(by_seven.mesher().report().hash == batch->report.hash);
   CHECK(by_one.ticks() == by_seven.ticks());
+}
+
+TEST_CASE("a traced run keeps the mesh of every iteration, as a session shows it") {
+  Trace trace;
+  const DomainInput input = disc(0.1);
+  REQUIRE(mesh_domain(input, paper, {}, &trace));
+  REQUIRE(trace.iterates.size() > 10);
+  Session session = started(input);
+  REQUIRE(session.step());
+  for (std::size_t k = 0; k < trace.iterates.size(); ++k) {
+    REQUIRE(session.step());
+    CHECK(trace.iterates[k].iteration == static_cast<int>(k) + 1);
+    CHECK(trace.iterates[k].mesh.points == session.mesher().triangles().points);
+    CHECK(trace.iterates[k].mesh.triangles == session.mesher().triangles().triangles);
+  }
+  CHECK(session.mesher().stage() == Stage::match);
+  CHECK(trace.iterates.back().mesh.points == trace.triangles.points);
+}
+
+TEST_CASE("without L_p there are no iterations to keep") {
+  Trace trace;
+  REQUIRE(mesh_domain(disc(0.1), {}, {}, &trace));
+  CHECK(trace.iterates.empty());
+}
+
+TEST_CASE("a log of iterations that grows too large keeps every second, fourth, ... of them") {
+  TriMesh mesh;
+  mesh.points.resize(10);
+  IterateLog log(75);  // seven meshes
+  for (int k = 1; k <= 20; ++k) log.add(k, mesh);
+  log.add(20, mesh);
+  std::vector<int> kept;
+  for (const Iterate& one : log.take()) kept.push_back(one.iteration);
+  CHECK(kept == std::vector<int>{4, 8, 12, 16, 20});
 }
 
 TEST_CASE("going back shows exactly the points that were there") {

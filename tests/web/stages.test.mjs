@@ -24,7 +24,8 @@ function produce(name, options, flags) {
   execFileSync(command, [...first, 'mesh', 'domain.json', '-o', 'mesh.msh', '--quiet', '--stages', name, '--report', `${name}.report.json`, ...flags], { cwd: folder });
   const read = (file) => readFileSync(join(folder, name, file), 'utf8');
   const names = readdirSync(join(folder, name));
-  return { options, names, files: new Map(names.filter((file) => /\.(json|obj)$/.test(file)).map((file) => [file, read(file)])) };
+  const binary = names.includes('iterates.bin') ? readFileSync(join(folder, name, 'iterates.bin')) : undefined;
+  return { options, names, files: new Map(names.filter((file) => /\.(json|obj)$/.test(file)).map((file) => [file, read(file)])), bytes: binary && Uint8Array.from(binary).buffer };
 }
 const paper = produce('paper', { size: 0.15, method: 'paper', seeds: 'isotropic' }, ['--size', '0.15', '--method', 'paper', '--seeds', 'isotropic']);
 const best = produce('best', { size: 0.15 }, ['--size', '0.15']);
@@ -44,12 +45,12 @@ function at(session, stage) {
 
 test('what a folder holds is what the library shows of the same run', async () => {
   const lpquad = await createLpquad();
-  for (const { files, options } of [paper, best]) {
-    const recorded = new RecordedSession(readStages(files));
+  for (const { files, bytes, options } of [paper, best]) {
+    const recorded = new RecordedSession(readStages(files, bytes));
     const session = lpquad.start({ loops: drawing.regions[0].loops }, options);
     for (let tick = 0; recorded.state.stage !== 'done'; tick = recorded.state.tick + 1) {
       const { stage } = await recorded.restore(tick);
-      if (stage === 'seeds' || stage === 'optimise') continue;  // judged by what follows
+      if (stage === 'seeds' || stage === 'optimise') continue;  // judged by the next test
       const [ours, theirs] = [await recorded.snapshot(layers), at(session, stage)];
       for (const [layer, fields] of Object.entries({ crosses: ['points', 'axes', 'singularities', 'indices'], sizes: ['points', 'triangles', 'sizes'],
         ...(stage === 'match' && { triangles: ['points', 'triangles'], cells: ['points', 'offsets', 'sites', 'density'] }),
@@ -67,6 +68,30 @@ test('what a folder holds is what the library shows of the same run', async () =
   }
 });
 
+test('every iteration is there, bit for bit', async () => {
+  const lpquad = await createLpquad();
+  const recorded = new RecordedSession(readStages(paper.files, paper.bytes));
+  const session = lpquad.start({ loops: drawing.regions[0].loops }, paper.options);
+  session.step();
+  await recorded.restore(1);
+  for (let iteration = 0; session.state.stage === 'optimise'; ++iteration) {
+    const [ours, theirs] = [await recorded.snapshot(layers), session.snapshot(layers)];
+    assert.equal(ours.tick, theirs.tick);
+    for (const field of ['stage', 'iteration', 'energy', 'gradientNorm', 'maxIterations']) assert.equal(ours[field], theirs[field], `${field} of iteration ${iteration}`);
+    close([ours.tau], [theirs.tau], 'tau', 1e-6);
+    assert.deepEqual(ours.triangles.points, theirs.triangles.points);
+    if (iteration > 0) {
+      assert.deepEqual(ours.triangles.triangles, theirs.triangles.triangles);
+      assert.deepEqual({ ...ours.cells, energy: 0 }, { ...theirs.cells, energy: 0 });
+    }
+    session.step();
+    await recorded.step();
+  }
+  assert.equal(recorded.state.stage, 'match');
+  assert.ok(recorded.state.iteration > 20);
+  session.dispose();
+});
+
 test('missing and damaged files are named', () => {
   const without = (name) => new Map([...paper.files].filter(([file]) => file !== name));
   const changed = (name, text) => new Map([...paper.files, [name, text]]);
@@ -75,6 +100,17 @@ test('missing and damaged files are named', () => {
   for (const [name, text] of [['energy.json', '{"p":6'], ['energy.json', '{"p":6}'], ['triangles.json', '{"points":[[0,0]],"triangles":[[0,1,2]]}'],
     ['crosses.json', '[]'], ['start.obj', 'v 0 x 0'], ['quads-1-matched.obj', 'v 0 0 0\nf 1 2 3 4'], ['cells.json', '{"cells":[]}'], ['matching.json', 'null']])
     assert.throws(() => readStages(changed(name, text)), (error) => error instanceof BadStages && error.message.includes(name), name);
+  for (const length of [0, 8, paper.bytes.byteLength - 8])
+    assert.throws(() => readStages(paper.files, paper.bytes.slice(0, length)), (error) => error instanceof BadStages && /iterates\.bin is shorter/.test(error.message));
+  const damaged = (at, value) => {
+    const bytes = paper.bytes.slice(0);
+    new DataView(bytes).setFloat64(at < 0 ? bytes.byteLength + at : at, value, true);
+    return bytes;
+  };
+  assert.throws(() => readStages(paper.files, damaged(0, NaN)), /no finite number/);
+  assert.throws(() => readStages(paper.files, damaged(-16, NaN)), /names something that is not there/);
+  assert.throws(() => readStages(changed('iterates.json', '{"points":9,"boundaryNodes":4,"iterates":[{"iteration":1}]}'), paper.bytes), /without “pieces”/);
+  assert.ok(readStages(paper.files).steps.length < 10);  // a folder of before
   assert.ok(isStagesFolder(paper.names));
   assert.ok(!isStagesFolder(['plate.json', 'notes.txt', 'energy.json']));
 });
@@ -88,13 +124,28 @@ test('the folder opens as a run with the same timeline and layers', async () => 
   await page.locator('input[aria-label="Folder of stages"]').setInputFiles(join(folder, 'paper'));
   await page.locator('#project-name', { hasText: 'paper' }).waitFor();
   await page.waitForFunction(() => globalThis.playground.runner.run.phase === 'done');
-  const { steps, result } = readStages(paper.files);
+  const { steps, result } = readStages(paper.files, paper.bytes);
   await page.locator('.stage-name', { hasText: `done: ${result.quads.length / 4} quads` }).waitFor();
+  const history = await page.evaluate(() => globalThis.playground.runner.run.history.map(({ iteration, energy }) => [iteration, energy]));
+  for (const { state: { tick, iteration, energy } } of steps.slice(1, -3)) assert.deepEqual(history[tick], [iteration, energy]);
   for (let tick = steps.length - 2; tick >= 0; --tick) {
     await page.keyboard.press(',');
     await page.waitForFunction((at) => globalThis.playground.runner.run.frame?.tick === at, tick);
     assert.equal(await page.evaluate(() => globalThis.playground.runner.run.state.stage), steps[tick].state.stage);
   }
+  const shown = (tick) => page.evaluate(async (at) => {
+    await globalThis.playground.runner.seek(at);
+    const { frame } = globalThis.playground.runner.run;
+    return { iteration: frame.iteration, points: [...frame.triangles.points], corners: [...frame.cells.points] };
+  }, tick);
+  await page.evaluate(() => globalThis.playground.store.change('Layers', { layers: ['triangles', 'cells'] }));
+  for (const tick of [12, 7, 30]) {
+    const { iteration, points, corners } = await shown(tick);
+    assert.equal(iteration, tick - 1);
+    assert.deepEqual(points, [...steps[tick].shown.triangles.points]);
+    assert.deepEqual(corners, [...steps[tick].shown.cells.points]);
+  }
+  await page.keyboard.press('Control+z');
   await page.keyboard.press('e');
   await page.waitForFunction(() => globalThis.playground.runner.run.phase === 'done');
   await page.keyboard.press('Control+z');

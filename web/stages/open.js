@@ -32,13 +32,13 @@ async function open({ store, stage, recordings, notify, announce }, files) {
   try {
     if (files.reduce((sum, { size }) => sum + size, 0) > mostBytes) throw new BadStages('It is larger than 512 MiB.');
     const texts = new Map(await Promise.all(files.filter(({ name }) => /\.(json|obj)$/.test(name)).map(async (file) => /** @type {const} */ ([file.name, await file.text()]))));
-    const recording = readStages(texts);
+    const recording = readStages(texts, await files.find(({ name }) => name === 'iterates.bin')?.arrayBuffer());
     const name = files[0].webkitRelativePath.split('/')[0] || 'native run';
     const project = { ...emptyProject, name, drawing: recording.drawing, options: { norm: recording.norm } };
     recordings.push({ project, open: async () => /** @type {WorkerSession} */ (/** @type {unknown} */ (new RecordedSession(recording))) });
     store.change(`Open the stages in ${name}`, project);
     stage.fit();
-    announce(`${name} opened: ${recording.steps.length} stages of a native run`);
+    announce(`${name} opened: ${recording.steps.length} steps of a native run`);
   } catch (error) {
     notify(`The stages could not be opened. ${error instanceof BadStages ? error.message : 'A file is damaged.'}`);
   }

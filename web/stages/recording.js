@@ -1,7 +1,8 @@
 // A native run's --stages folder as a run that can be stepped: the interface of a WorkerSession over
-// values that are there already. The iterations themselves were not recorded, only their energies.
+// values that are there already.
 /** @import { Layers, MeshResult, Snapshot, State } from 'lpquad' */
 /** @import { Drawing, Point } from '../types' */
+import { readIterates } from './iterates.js';
 import { BadStages, Fields, readObj } from './parse.js';
 import { etasOf, loopsOf, rimOf, tauOf, valencesOf } from './values.js';
 
@@ -19,8 +20,8 @@ export function isStagesFolder(names) {
   return known.length >= 3;
 }
 
-/** @param {Map<string, string>} files  by name without folder  @returns {Recording}  throws BadStages */
-export function readStages(files) {
+/** @param {Map<string, string>} files  by name without folder  @param {ArrayBuffer} [bytes]  of iterates.bin  @returns {Recording}  throws BadStages */
+export function readStages(files, bytes) {
   const quadNames = [...files.keys()].filter((name) => quadFile.test(name)).sort((a, b) => Number(quadFile.exec(a)?.[1]) - Number(quadFile.exec(b)?.[1]));
   const missing = [...needed.filter((name) => !files.has(name)), ...(quadNames.length > 0 ? [] : ['quads-1-….obj'])];
   if (missing.length > 0) throw new BadStages(`The folder lacks ${missing.join(', ')}. Choose the whole folder that --stages wrote.`);
@@ -34,7 +35,8 @@ export function readStages(files) {
   const after = { ...fields, ...readTriangles(json, energy, boundaryNodes) };
   const matching = readMatching(json('matching.json'), readObj('matched_triangles.obj', text('matched_triangles.obj')));
   const quads = quadNames.map((name) => quadLayer(readObj(name, text(name)), boundaryNodes));
-  const steps = stepsOf(energy, before, after, matching, quads);
+  const between = readIterates(files.get('iterates.json'), bytes);
+  const steps = stepsOf(energy, before, between, after, matching, quads);
   const outline = loopsOf(start.points, rimOf([{ list: start.triangles, corners: 3 }]));
   const report = [...files].find(([name]) => /(^|\.)report\.json$/.test(name))?.[1];
   return { drawing: drawingOf(outline), norm: energy.number('p'), steps, result: resultOf(quads[quads.length - 1], energy, report) };
@@ -107,17 +109,22 @@ function quadLayer({ points, quads, triangles }, boundaryNodes) {
   return { points, quads, triangles, eta: etasOf(points, quads, triangles.length / 3), ...valencesOf(points, faces), boundaryNodes };
 }
 
-/** @param {Fields} energy  @param {Shown} before  @param {Shown} after  @param {NonNullable<Shown['matching']>} matching  @param {NonNullable<Shown['quads']>[]} quads  @returns {Step[]} */
-function stepsOf(energy, before, after, matching, quads) {
+/** @typedef {import('./iterates.js').Iterate} Iterate */
+
+/** @param {Fields} energy  @param {Shown} before  @param {Iterate[]} between  @param {Shown} after  @param {NonNullable<Shown['matching']>} matching  @param {NonNullable<Shown['quads']>[]} quads  @returns {Step[]} */
+function stepsOf(energy, before, between, after, matching, quads) {
   const values = energy.numbers('history'), norms = energy.numbers('gradientNormHistory', values.length);
   const iterations = Math.max(0, values.length - 1);
   const tau = (/** @type {Shown} */ { triangles }) => (triangles ? tauOf(triangles.points, triangles.triangles) : 0);
   const place = (/** @type {State['stage']} */ stage, more = {}) => ({ stage, iteration: 0, maxIterations: iterations, energy: 0, gradientNorm: 0, tau: 0, ...more });
+  const optimise = (/** @type {number} */ iteration, /** @type {Shown} */ shown) => /** @type {[Omit<State, 'tick'>, Shown]} */ ([place('optimise', { iteration, energy: values[iteration], gradientNorm: norms[iteration], tau: tau(shown) }), shown]);
   const later = /** @type {State['stage'][]} */ (['clean', 'patch', 'smooth', 'check']);
   /** @type {[Omit<State, 'tick'>, Shown][]} */
   const all = [
     [place('seeds'), { crosses: before.crosses, sizes: before.sizes }],
     [place('optimise', { energy: values[0] ?? energy.number('energy'), gradientNorm: norms[0] ?? 0, tau: tau(before) }), before],
+    ...between.filter(({ iteration }) => iteration < iterations).map(({ iteration, triangles, cells }) =>
+      optimise(iteration, { ...before, triangles, cells: { ...cells, energy: values[iteration] } })),
     [place('match', { iteration: iterations, energy: energy.number('energy'), gradientNorm: norms.at(-1) ?? 0, tau: tau(after) }), after],
     ...quads.map((layer, k) => /** @type {[Omit<State, 'tick'>, Shown]} */ ([place(later[Math.min(k, later.length - 1)]), { ...after, matching, quads: layer }])),
     [place('done'), { ...after, matching, quads: quads[quads.length - 1] }],
@@ -166,7 +173,13 @@ export class RecordedSession {
   }
 
   get state() { return this.#steps[this.#at].state; }
-  async step(ticks = 1) { return this.restore(this.#at + ticks); }
+  /** @param {number} [ticks]  @param {{onProgress?: (state: State) => void}} [calls] */
+  async step(ticks = 1, { onProgress = () => {} } = {}) {
+    const from = this.#at;
+    await this.restore(from + ticks);
+    for (const { state } of this.#steps.slice(from + 1, this.#at)) onProgress(state);
+    return this.state;
+  }
   /** @param {number} tick */
   async restore(tick) {
     this.#at = Math.max(0, Math.min(this.#steps.length - 1, tick));
