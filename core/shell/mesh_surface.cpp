@@ -7,6 +7,7 @@
 
 #include "base/hash.h"
 #include "numerics/elementary.h"
+#include "pipeline/shape_options.h"
 #include "pipeline/stage_timer.h"
 #include "shell/check.h"
 #include "shell/mesh_charts.h"
@@ -218,6 +219,7 @@ class SurfaceMesher::Run {
       const StageTimer timer = timed("seams");
       report.seams = finish_seams(charted(), chart_options(options_), outcome_.mesh);
     }
+    improve_shape();
     std::vector<Fault> faults;
     {
       const StageTimer timer = timed("check");
@@ -236,12 +238,25 @@ class SurfaceMesher::Run {
     hash.add(std::span<const Vec3>(outcome_.mesh.points));
     hash.add(std::span<const Face>(outcome_.mesh.faces));
     report.hash = hash.value();
-    if (const Index bent = report.quality.nonconvex; bent > 0)
-      report.warnings.push_back(
-          {ErrorCode::no_valid_mesh,
-           "Not all quads are convex: " + std::to_string(bent) + ". A smaller size may help.",
-           {}});
+    if (report.quality.nonconvex > 0) report.warnings.push_back(bent_quads());
     return std::nullopt;
+  }
+
+  void improve_shape() {
+    const StageTimer timer = timed("shape");
+    SmoothOptions smoothing = shape_smoothing(chart_options(options_));
+    if (options_.smoothing >= 0) smoothing.iterations = options_.smoothing;
+    outcome_.report.shape = optimise_shape(charted(), smoothing, outcome_.mesh);
+  }
+
+  Warning bent_quads() const {
+    const ShellMesh& mesh = outcome_.mesh;
+    const Vec3 at = mesh.points[mesh.faces[first_nonconvex(mesh)][0]];
+    return {ErrorCode::no_valid_mesh,
+            "Not all quads are convex: " + std::to_string(outcome_.report.quality.nonconvex) +
+                ", the first near (" + short_number(at.x) + ", " + short_number(at.y) + ", " +
+                short_number(at.z) + "). A smaller size may help.",
+            {}};
   }
 
   void count_lines() {

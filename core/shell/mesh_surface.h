@@ -1,6 +1,6 @@
 // The order of the stages on a surface, and nothing else: repair, features, fields, charts, curves,
-// the planar chain in every chart, seams, final check. The paper's section 5, with one cross field
-// for all.
+// the planar chain in every chart, seams, shape, final check. The paper's section 5, with one cross
+// field for all.
 #pragma once
 
 #include <memory>
@@ -13,6 +13,7 @@
 #include "pipeline/report.h"
 #include "shell/options.h"
 #include "shell/seams.h"
+#include "shell/shape/shape.h"
 #include "shell/shell_mesh.h"
 #include "surface/repair.h"
 #include "surface/soup.h"
@@ -27,6 +28,7 @@ struct ShellReport {
   std::vector<SurfaceSingularity> singularities;
   Index rounds = 1;  // of sizes made smaller where a chart had no mesh
   SeamStats seams;
+  ShapeStats shape;
   QuadQuality quality;  // in space
   SizeFidelity size;
   double target_size = 0;  // the constant one

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "numerics/elementary.h"
+#include "shell/shape/space_energy.h"
 
 namespace lpq {
 namespace {
@@ -24,14 +25,10 @@ std::vector<Edge> face_edges(const ShellMesh& mesh) {
   return edges;
 }
 
-bool has_reflex_corner(const ShellMesh& mesh, const Face& face) {
-  const Vec3 a = mesh.points[face[0]], b = mesh.points[face[1]];
-  const Vec3 c = mesh.points[face[2]], d = mesh.points[face[3]];
-  const Vec3 normal = cross(c - a, d - b);
-  const Vec3 side[4] = {b - a, c - b, d - c, a - d};
-  for (int k = 0; k < 4; ++k)
-    if (!(dot(cross(side[(k + 3) & 3], side[k]), normal) > 0)) return true;
-  return false;
+bool is_bent(const ShellMesh& mesh, const Face& face) {
+  const SpaceQuad p{mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]],
+                    mesh.points[face[3]]};
+  return !is_strictly_convex(p, cross(p[2] - p[0], p[3] - p[1]));
 }
 
 double percentile(std::vector<double>& values, double share) {
@@ -94,7 +91,7 @@ QuadQuality shell_quality(const ShellMesh& mesh) {
     }
     const double eta = quad_eta(mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]],
                                 mesh.points[face[3]]);
-    if (has_reflex_corner(mesh, face)) ++quality.nonconvex;
+    if (is_bent(mesh, face)) ++quality.nonconvex;
     etas.push_back(eta);
     quality.eta_mean += eta;
     ++quality.eta_histogram[std::min(static_cast<int>(20 * eta), 19)];
@@ -107,6 +104,13 @@ QuadQuality shell_quality(const ShellMesh& mesh) {
   }
   count_valences(mesh, quality);
   return quality;
+}
+
+Index first_nonconvex(const ShellMesh& mesh) {
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    if (corner_count(mesh.faces[f]) == 4 && is_bent(mesh, mesh.faces[f]))
+      return static_cast<Index>(f);
+  return none;
 }
 
 SizeFidelity shell_size_fidelity(const ShellMesh& mesh, std::span<const Tri> surface_triangles,

@@ -1,0 +1,161 @@
+// See mend.h.
+#include "shell/shape/mend.h"
+
+#include <algorithm>
+
+#include "shell/shape/refills.h"
+#include "shell/shape/smoother.h"
+
+namespace lpq {
+namespace {
+
+constexpr int rings = 2;
+constexpr int smoothed_rings = 5, covered_rings = 3;  // of patches that cover the mesh
+constexpr int mean_ratio_rounds = 6, mean_ratio_steps = 15, eta_steps = 40;
+constexpr double eta_tolerance = 1e-4;
+constexpr double least_moved = 0.02;  // eta; worse quads stay as they are while others move
+// Of the longest side of a face: a side that is shorter still grows.
+constexpr double shortest_side = 0.03;
+// Energy that a change of connectivity must save: about one quad of eta 0.55 made good. A pair of
+// irregular vertices is not worth less.
+constexpr double least_saving = 1;
+// Of all faces, beside a few: where more are bad, mending one by one is not the remedy.
+constexpr double most_seeds = 0.02;
+constexpr std::size_t some_seeds = 100;
+
+using Verdict = ShapeSmoother::Verdict;
+
+bool is_better(const Verdict& a, const Verdict& b, double saving) {
+  if (a.tangled != b.tangled) return a.tangled < b.tangled;
+  return a.energy < b.energy - saving && a.worst >= b.worst;
+}
+
+bool has_short_side(const ShellMesh& mesh) {
+  return std::any_of(mesh.faces.begin(), mesh.faces.end(), [&](const Face& face) {
+    double least = 1e300, most = 0;
+    const int n = corner_count(face);
+    for (int k = 0; k < n; ++k) {
+      const double side = squared_length(mesh.points[face[(k + 1) % n]] - mesh.points[face[k]]);
+      least = std::min(least, side);
+      most = std::max(most, side);
+    }
+    return least < shortest_side * shortest_side * most;
+  });
+}
+
+class Mender {
+ public:
+  Mender(const ShapeGround& ground, const SmoothOptions& options, ShellMesh& mesh,
+         std::vector<VertexRole>& roles)
+      : ground_(ground), options_(options), mesh_(mesh), roles_(roles) {}
+
+  MendStats run(double bound, bool refill) {
+    stars_ = faces_at_vertices(mesh_);
+    auto left =
+        some_seeds + static_cast<std::size_t>(most_seeds * static_cast<double>(mesh_.faces.size()));
+    // New faces come last, and may be seeds again; every change saves energy.
+    for (Index f = 0; f < static_cast<Index>(mesh_.faces.size()) && left > 0; ++f) {
+      if (mesh_.faces[f][0] == none || signed_eta(ground_, mesh_, f) >= bound) continue;
+      mend(f, refill);
+      --left;
+    }
+    compact(mesh_, roles_);
+    return stats_;
+  }
+
+  void smooth_everywhere() {
+    stars_ = faces_at_vertices(mesh_);
+    std::vector<char> covered(mesh_.faces.size(), 0);
+    for (Index f = 0; f < static_cast<Index>(covered.size()); ++f) {
+      if (covered[f]) continue;
+      for (const Index g : faces_around(f, covered_rings)) covered[g] = 1;
+      ShapePatch patch = take_patch(mesh_, roles_, stars_, faces_around(f, smoothed_rings));
+      ShapeSmoother smoother(ground_, patch.roles, options_, patch.mesh);
+      const Verdict before = smoother.verdict();
+      smoother.descend_eta(smoother.part_above(least_moved), eta_steps, eta_tolerance);
+      if (!is_better(smoother.verdict(), before, 0)) continue;
+      patch.roles = smoother.freedom().roles();
+      put_back(patch, mesh_, roles_);
+    }
+  }
+
+ private:
+  std::vector<Index> faces_around(Index f, int width) const {
+    std::vector<Index> all{f};
+    for (int ring = 0; ring < width; ++ring) {
+      const std::size_t size = all.size();
+      for (std::size_t i = 0; i < size; ++i)
+        for (const Index v : mesh_.faces[all[i]])
+          if (v != none) all.insert(all.end(), stars_.row(v).begin(), stars_.row(v).end());
+      std::sort(all.begin(), all.end());
+      all.erase(std::unique(all.begin(), all.end()), all.end());
+    }
+    return all;
+  }
+
+  Verdict verdict(ShapePatch& patch) const {
+    return ShapeSmoother(ground_, patch.roles, options_, patch.mesh).verdict();
+  }
+
+  /// Moves the vertices of the patch to where they are best.
+  Verdict smooth(ShapePatch& patch) const {
+    ShapeSmoother smoother(ground_, patch.roles, options_, patch.mesh);
+    if (smoother.verdict().tangled > 0) smoother.untangle(smoother.part_above(-1));
+    // Steps are short where sides are: sides that nearly vanished grow round by round.
+    for (int round = 0; round < mean_ratio_rounds; ++round) {
+      smoother.descend_mean_ratio(smoother.part_above(0), mean_ratio_steps, 0);
+      if (!has_short_side(patch.mesh)) break;
+    }
+    smoother.descend_eta(smoother.part_above(0), eta_steps, eta_tolerance);
+    patch.roles = smoother.freedom().roles();
+    return smoother.verdict();
+  }
+
+  void mend(Index f, bool refill) {
+    ShapePatch best = take_patch(mesh_, roles_, stars_, faces_around(f, rings));
+    const Index local = static_cast<Index>(
+        std::lower_bound(best.faces.begin(), best.faces.end(), f) - best.faces.begin());
+    std::vector<ShapePatch> tries;
+    if (refill) tries = refills(ground_, best, local);
+    Verdict least = verdict(best);
+    bool better = false;
+    ShapePatch moved = best;
+    if (const Verdict now = smooth(moved); is_better(now, least, 0)) {
+      best = std::move(moved);
+      least = now;
+      better = true;
+    }
+    for (ShapePatch& patch : tries) {
+      const Verdict now = smooth(patch);
+      if (!is_better(now, least, best.changed ? 0 : least_saving)) continue;
+      best = std::move(patch);
+      least = now;
+      better = true;
+    }
+    if (!better) return;
+    ++(best.changed ? stats_.refilled : stats_.moved);
+    put_back(best, mesh_, roles_);
+    if (best.changed) stars_ = faces_at_vertices(mesh_);
+  }
+
+  const ShapeGround& ground_;
+  const SmoothOptions& options_;
+  ShellMesh& mesh_;
+  std::vector<VertexRole>& roles_;
+  Csr<Index> stars_;
+  MendStats stats_;
+};
+
+}  // namespace
+
+MendStats mend_worst(const ShapeGround& ground, const SmoothOptions& options, double bound,
+                     bool refill, ShellMesh& mesh, std::vector<VertexRole>& roles) {
+  return Mender(ground, options, mesh, roles).run(bound, refill);
+}
+
+void smooth_patches(const ShapeGround& ground, const SmoothOptions& options, ShellMesh& mesh,
+                    std::vector<VertexRole>& roles) {
+  Mender(ground, options, mesh, roles).smooth_everywhere();
+}
+
+}  // namespace lpq

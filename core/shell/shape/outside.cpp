@@ -1,0 +1,97 @@
+// See outside.h.
+#include "shell/shape/outside.h"
+
+#include <algorithm>
+
+#include "surface/frames.h"
+#include "surface/normals.h"
+
+namespace lpq {
+namespace {
+
+Csr<Index> triangles_at_vertices(const SurfaceMesh& mesh) {
+  Csr<Index> result;
+  result.offsets.assign(mesh.points.size() + 1, 0);
+  for (const Tri& t : mesh.triangles)
+    for (const Index v : t) ++result.offsets[v + 1];
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) result.offsets[v + 1] += result.offsets[v];
+  result.values.resize(3 * mesh.triangles.size());
+  std::vector<Index> next(result.offsets.begin(), result.offsets.end() - 1);
+  for (Index t = 0; t < mesh.triangle_count(); ++t)
+    for (const Index v : mesh.triangles[t]) result.values[next[v]++] = t;
+  return result;
+}
+
+/// How fast a way from a place on the border of a triangle leads inside: over the sides that the
+/// place is on, the least speed away from them.
+double least_inward(const SurfaceMesh& mesh, const SurfacePlace& place, Vec3 way) {
+  const TriangleLayout layout = layout_of(mesh, place.triangle);
+  const TriangleAxes axes = axes_of(mesh, place.triangle);
+  const Vec2 flat{dot(way, axes.x), dot(way, axes.y)};
+  double least = 1e300;
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 side = layout.side[(k + 1) % 3];
+    const double size = length(side);
+    if (place.weight[k] == 0 && size > 0) least = std::min(least, cross(side, flat) / size);
+  }
+  return least;
+}
+
+}  // namespace
+
+Outside::Outside(const SurfaceMesh& surface, const SurfaceFeatures& features)
+    : surface_(surface),
+      features_(features),
+      normal_(triangle_normals(surface)),
+      triangles_(triangles_at_vertices(surface)) {}
+
+/// One for a place inside a triangle, those beside an edge, those around a vertex.
+template <class Visit>
+void Outside::for_each_triangle_at(const SurfacePlace& place, Visit&& visit) const {
+  int zeros = 0;
+  Index zero = 0, other = 0;
+  for (Index k = 0; k < 3; ++k) {
+    const bool none_of_it = place.weight[k] == 0;
+    zeros += none_of_it;
+    (none_of_it ? zero : other) = k;
+  }
+  if (zeros == 0) {
+    visit(place.triangle);
+  } else if (zeros == 1) {
+    const Index edge = features_.edges.edge_of[3 * place.triangle + next_in_triangle(zero)];
+    for (const Index e : features_.edges.half_edges.row(edge)) visit(triangle_of(e));
+  } else {
+    for (const Index t : triangles_.row(surface_.triangles[place.triangle][other])) visit(t);
+  }
+}
+
+Vec3 Outside::at(const ShellMesh& mesh, Index f) const {
+  Vec3 sum{};
+  for (int k = 0; k < corner_count(mesh.faces[f]); ++k)
+    for_each_triangle_at(mesh.places[mesh.faces[f][k]], [&](Index t) {
+      if (features_.face[t] == mesh.face[f]) sum += normal_[t];
+    });
+  const double size = length(sum);
+  return size > 0 ? (1 / size) * sum : Vec3{};
+}
+
+SurfacePlace Outside::on_side(const SurfacePlace& place, Index face, Vec3 way) const {
+  SurfacePlace best = place;
+  double most = -1e300;
+  for_each_triangle_at(place, [&](Index t) {
+    if (features_.face[t] != face) return;
+    SurfacePlace here{t, {0, 0, 0}};
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j)
+        if (surface_.triangles[t][k] == surface_.triangles[place.triangle][j])
+          here.weight[k] = place.weight[j];
+    const double depth = least_inward(surface_, here, way);
+    if (depth > most) {
+      most = depth;
+      best = here;
+    }
+  });
+  return best;
+}
+
+}  // namespace lpq

@@ -1,0 +1,35 @@
+// The surface at a face of a mesh on it, on the face's own side of features: which way is out, and
+// in which triangle its corners lie.
+#pragma once
+
+#include <vector>
+
+#include "base/csr.h"
+#include "shell/shell_mesh.h"
+#include "surface/features.h"
+
+namespace lpq {
+
+class Outside {
+ public:
+  Outside(const SurfaceMesh& surface, const SurfaceFeatures& features);
+
+  /// Of length one: the mean of the surface's normals at the corners of face f. Zero where these
+  /// cancel.
+  Vec3 at(const ShellMesh& mesh, Index f) const;
+
+  /// The same place in that triangle of this face of the surface which lies most in direction `way`
+  /// from it; as it is if there is none there.
+  SurfacePlace on_side(const SurfacePlace& place, Index face, Vec3 way) const;
+
+ private:
+  template <class Visit>
+  void for_each_triangle_at(const SurfacePlace& place, Visit&& visit) const;
+
+  const SurfaceMesh& surface_;
+  const SurfaceFeatures& features_;
+  std::vector<Vec3> normal_;  // #T
+  Csr<Index> triangles_;      // #V of the surface  around it
+};
+
+}  // namespace lpq

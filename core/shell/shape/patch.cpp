@@ -1,0 +1,142 @@
+// See patch.h.
+#include "shell/shape/patch.h"
+
+#include <algorithm>
+
+namespace lpq {
+namespace {
+
+/// Edges on features and borders, in the patch's numbers.
+void add_walls(const ShellMesh& mesh, ShapePatch& patch) {
+  for (const Face& face : patch.mesh.faces)
+    for (int k = 0; k < corner_count(face); ++k) {
+      const Index a = face[k], b = face[(k + 1) % corner_count(face)];
+      const std::array<Index, 2> ends{std::min(a, b), std::max(a, b)};
+      const std::array<Index, 2> whole{patch.vertex[ends[0]], patch.vertex[ends[1]]};
+      if (std::binary_search(mesh.edges.begin(), mesh.edges.end(), whole))
+        patch.mesh.edges.push_back(ends);
+    }
+  std::sort(patch.mesh.edges.begin(), patch.mesh.edges.end());
+  patch.mesh.edges.erase(std::unique(patch.mesh.edges.begin(), patch.mesh.edges.end()),
+                         patch.mesh.edges.end());
+}
+
+}  // namespace
+
+Csr<Index> faces_at_vertices(const ShellMesh& mesh) {
+  Csr<Index> stars;
+  stars.offsets.assign(mesh.points.size() + 1, 0);
+  for (const Face& face : mesh.faces)
+    for (const Index v : face)
+      if (v != none) ++stars.offsets[v + 1];
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) stars.offsets[v + 1] += stars.offsets[v];
+  stars.values.resize(stars.offsets.back());
+  std::vector<Index> next(stars.offsets.begin(), stars.offsets.end() - 1);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    for (const Index v : mesh.faces[f])
+      if (v != none) stars.values[next[v]++] = static_cast<Index>(f);
+  return stars;
+}
+
+ShapePatch take_patch(const ShellMesh& mesh, const std::vector<VertexRole>& roles,
+                      const Csr<Index>& stars, std::vector<Index> faces) {
+  ShapePatch patch;
+  patch.faces = std::move(faces);
+  for (const Index f : patch.faces)
+    for (int k = 0; k < corner_count(mesh.faces[f]); ++k) patch.vertex.push_back(mesh.faces[f][k]);
+  std::sort(patch.vertex.begin(), patch.vertex.end());
+  patch.vertex.erase(std::unique(patch.vertex.begin(), patch.vertex.end()), patch.vertex.end());
+  for (const Index v : patch.vertex) {
+    patch.mesh.points.push_back(mesh.points[v]);
+    patch.mesh.places.push_back(mesh.places[v]);
+    patch.mesh.pinned.push_back(mesh.pinned[v]);
+    patch.roles.push_back(roles[v]);
+    const auto star = stars.row(v);
+    const bool inside = std::all_of(star.begin(), star.end(), [&](Index f) {
+      return std::binary_search(patch.faces.begin(), patch.faces.end(), f);
+    });
+    patch.rim.push_back(!inside);
+    if (!inside) patch.roles.back().kind = VertexRole::Kind::fixed;
+  }
+  for (const Index f : patch.faces) {
+    Face face{none, none, none, none};
+    for (int k = 0; k < corner_count(mesh.faces[f]); ++k)
+      face[k] = static_cast<Index>(
+          std::lower_bound(patch.vertex.begin(), patch.vertex.end(), mesh.faces[f][k]) -
+          patch.vertex.begin());
+    patch.mesh.faces.push_back(face);
+    patch.mesh.face.push_back(mesh.face[f]);
+  }
+  add_walls(mesh, patch);
+  return patch;
+}
+
+namespace {
+
+void put_positions(const ShapePatch& patch, ShellMesh& mesh, std::vector<VertexRole>& roles) {
+  for (std::size_t i = 0; i < patch.vertex.size(); ++i) {
+    if (patch.rim[i]) continue;
+    const Index v = patch.vertex[i];
+    mesh.points[v] = patch.mesh.points[i];
+    mesh.places[v] = patch.mesh.places[i];
+    roles[v].on_track.s = patch.roles[i].on_track.s;
+  }
+}
+
+}  // namespace
+
+void put_back(const ShapePatch& patch, ShellMesh& mesh, std::vector<VertexRole>& roles) {
+  ShapePatch whole = patch;
+  for (std::size_t i = 0; i < whole.vertex.size(); ++i) {
+    if (whole.vertex[i] != none) continue;
+    whole.vertex[i] = static_cast<Index>(mesh.points.size());
+    mesh.points.push_back({});
+    mesh.places.push_back({});
+    mesh.pinned.push_back(0);
+    roles.push_back({});
+  }
+  put_positions(whole, mesh, roles);
+  if (!patch.changed) return;
+  for (const Index f : whole.faces) mesh.faces[f] = {none, none, none, none};
+  for (std::size_t i = 0; i < whole.mesh.faces.size(); ++i) {
+    Face face = whole.mesh.faces[i];
+    for (Index& v : face)
+      if (v != none) v = whole.vertex[v];
+    mesh.faces.push_back(face);
+    mesh.face.push_back(whole.mesh.face[i]);
+  }
+}
+
+void compact(ShellMesh& mesh, std::vector<VertexRole>& roles) {
+  std::vector<Index> number(mesh.points.size(), none);
+  for (const Face& face : mesh.faces)
+    for (const Index v : face)
+      if (v != none) number[v] = 0;
+  Index count = 0;
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] == none) continue;
+    mesh.points[count] = mesh.points[v];
+    mesh.places[count] = mesh.places[v];
+    mesh.pinned[count] = mesh.pinned[v];
+    roles[count] = roles[v];
+    number[v] = count++;
+  }
+  mesh.points.resize(count);
+  mesh.places.resize(count);
+  mesh.pinned.resize(count);
+  roles.resize(count);
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (mesh.faces[f][0] == none) continue;
+    mesh.faces[kept] = mesh.faces[f];
+    for (Index& v : mesh.faces[kept])
+      if (v != none) v = number[v];
+    mesh.face[kept++] = mesh.face[f];
+  }
+  mesh.faces.resize(kept);
+  mesh.face.resize(kept);
+  for (auto& edge : mesh.edges)
+    for (Index& v : edge) v = number[v];
+}
+
+}  // namespace lpq

@@ -1,0 +1,23 @@
+// The last step on a mesh of a surface: its vertices move on the surface, in space, until its quads
+// are as good as they get. Quads that are not convex are mended, if need be by other quads there.
+#pragma once
+
+#include "cleanup/smooth.h"
+#include "shell/mesh_charts.h"
+
+namespace lpq {
+
+struct ShapeStats {
+  Index tangled_before = 0, tangled_after = 0;  // quads that are not strictly convex
+  Index refilled = 0;                           // changes of connectivity
+  int iterations = 0;                           // of the descent over all vertices
+};
+
+/// Maximises the sum of eta with the size terms of `options` (cleanup/shape_energy.h, angles in
+/// space). Corners stay, vertices on features slide along them in their order, all others move
+/// freely on the surface. The number of tangled quads never grows, nor falls the worst eta while
+/// none is tangled. `mesh` has its nodes first, as mesh_charts() and finish_seams() leave it.
+/// Cost O(iterations #F).
+ShapeStats optimise_shape(const Charted& charted, const SmoothOptions& options, ShellMesh& mesh);
+
+}  // namespace lpq

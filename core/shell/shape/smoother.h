@@ -1,0 +1,60 @@
+// Descents over a mesh on a surface, or a part of it, and what they are judged by.
+#pragma once
+
+#include <vector>
+
+#include "cleanup/smooth.h"
+#include "shell/shape/descent.h"
+#include "shell/shape/space_energy.h"
+
+namespace lpq {
+
+/// eta of a quad, -1 if it is not strictly convex as the surface sees it; 1 for a triangle.
+double signed_eta(const ShapeGround& ground, const ShellMesh& mesh, Index f);
+
+class ShapeSmoother {
+ public:
+  ShapeSmoother(const ShapeGround& ground, std::vector<VertexRole> roles,
+                const SmoothOptions& options, ShellMesh& mesh);
+  ShapeSmoother(const ShapeSmoother&) = delete;
+
+  const Freedom& freedom() const { return freedom_; }
+
+  double judge(Index f) const { return signed_eta(ground_, mesh_, f); }
+  std::vector<double> judge_all() const;
+
+  struct Verdict {
+    Index tangled = 0;
+    double worst = 1;   // eta
+    double energy = 0;  // eta energy of those that are not tangled
+  };
+  Verdict verdict() const;
+
+  /// All faces at least as good as the bound, and the vertices of such faces alone.
+  DescentPart part_above(double bound) const;
+
+  /// Both return the steps made.
+  int descend_eta(const DescentPart& part, int iterations, double tolerance = 1e-6);
+  int descend_mean_ratio(const DescentPart& part, int iterations, double epsilon);
+  /// Mean ratio until all faces are strictly convex, or it gets no further.
+  void untangle(const DescentPart& part);
+
+  std::vector<Freedom::State> states() const;
+  void restore(Index v, const Freedom::State& state) { freedom_.restore(v, state); }
+  void restore(const std::vector<Freedom::State>& states);
+
+ private:
+  SpaceEtaOptions eta_options() const;
+  double target_unit(Index f) const;
+  double own_unit(Index f) const;
+
+  const ShapeGround& ground_;
+  const SmoothOptions& options_;
+  ShellMesh& mesh_;
+  Freedom freedom_;
+  ShellDescent descent_;
+  std::vector<Vec3> normal_;  // #F  of the surface; during a descent
+  std::vector<double> unit_;  // #F  1/h^2; during a descent
+};
+
+}  // namespace lpq

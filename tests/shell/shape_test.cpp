@@ -1,0 +1,279 @@
+// Shape optimisation on surfaces: walks are straight, energies are what their gradients say, and a
+// mesh that was thrown into disorder finds back without leaving the surface or its features.
+#include "shell/shape/shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/rng.h"
+#include "catch.h"
+#include "cleanup/shape_energy.h"
+#include "numerics/elementary.h"
+#include "shell/mesh_surface.h"
+#include "shell/place.h"
+#include "shell/quality.h"
+#include "shell/shape/freedom.h"
+#include "shell/shape/smoother.h"
+#include "support/surface_meshes.h"
+#include "support/surface_shapes.h"
+#include "surface/curves.h"
+
+using namespace lpq;
+using namespace lpq_test;
+
+namespace {
+
+SurfaceSoup soup_of(const SurfaceMesh& mesh) {
+  SurfaceSoup soup;
+  soup.points = mesh.points;
+  soup.triangles = mesh.triangles;
+  soup.group_names = {""};
+  return soup;
+}
+
+/// A mesh of a surface that needs no cuts, with what it was made from.
+struct Meshed {
+  ShellOutcome outcome;
+  std::vector<double> size;
+  SurfaceFeatures features;
+  SurfaceCurves curves;
+  CurveMesh nodes;
+  SurfaceCrossField cross;
+  Atlas atlas;
+
+  Meshed(const SurfaceSoup& soup, double h) : outcome(*mesh_surface(soup, {.size = h})) {
+    size.assign(outcome.surface.points.size(), h);
+    features = find_features(outcome.surface, size);
+    curves = trace_curves(outcome.surface, features);
+    nodes = *mesh_curves(outcome.surface, features, curves, size);
+  }
+  Charted charted() const {
+    return {outcome.surface, features, cross, size, atlas, features, curves, nodes};
+  }
+  ShellMesh& mesh() { return outcome.mesh; }
+};
+
+/// Throws every vertex about by up to `most`, on the surface or along its feature.
+void shake(Meshed& meshed, double most, std::uint64_t seed) {
+  const Charted charted = meshed.charted();
+  const ShapeGround ground(charted);
+  Freedom freedom(ground, vertex_roles(charted, ground.tracks, meshed.mesh()), meshed.mesh());
+  Rng rng(seed);
+  for (Index v = 0; v < static_cast<Index>(meshed.mesh().points.size()); ++v) {
+    freedom.anchor(std::vector<Index>{v});
+    const double by[2] = {rng.between(-most, most), rng.between(-most, most)};
+    freedom.place(v, by);
+  }
+}
+
+double feature_length(const ShellMesh& mesh) {
+  double sum = 0;
+  for (const auto& [a, b] : mesh.edges) sum += distance(mesh.points[a], mesh.points[b]);
+  return sum;
+}
+
+bool is_on_surface(const Meshed& meshed) {
+  const ShellMesh& mesh = meshed.outcome.mesh;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    double sum = 0;
+    for (const double weight : mesh.places[v].weight) {
+      if (!(weight >= 0)) return false;
+      sum += weight;
+    }
+    if (std::abs(sum - 1) > 1e-12) return false;
+    if (distance(point_at(meshed.outcome.surface, mesh.places[v]), mesh.points[v]) > 1e-12)
+      return false;
+  }
+  return true;
+}
+
+SpaceQuad some_quad(Rng& rng) {
+  SpaceQuad p{Vec3{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  for (Vec3& q : p) q += {rng.between(-0.2, 0.2), rng.between(-0.2, 0.2), rng.between(-0.2, 0.2)};
+  return p;
+}
+
+/// Largest difference between a gradient and central differences.
+template <class Energy>
+double gradient_error(const SpaceQuad& p, Energy&& energy) {
+  constexpr double step = 1e-6;
+  SpaceQuad gradient{}, unused{};
+  energy(p, gradient);
+  double worst = 0;
+  for (int k = 0; k < 4; ++k)
+    for (double Vec3::*x : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+      SpaceQuad a = p, b = p;
+      a[k].*x -= step;
+      b[k].*x += step;
+      const double slope = (energy(b, unused) - energy(a, unused)) / (2 * step);
+      worst = std::max(worst, std::abs(slope - gradient[k].*x));
+    }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("walks on a flat surface are straight and stop at the border") {
+  const SurfaceMesh square = plane_square(7);
+  const std::vector<char> barrier(3 * square.triangles.size(), 0);
+  const SurfaceWalker walker(square, barrier);
+  Rng rng(1);
+  for (int i = 0; i < 200; ++i) {
+    const SurfacePlace start{static_cast<Index>(rng.below(square.triangles.size())),
+                             {0.2, 0.3, 0.5}};
+    const Vec3 from = point_at(square, start);
+    const Vec3 way{rng.between(-0.6, 0.6), rng.between(-0.6, 0.6), 0};
+    const TriangleAxes axes = axes_of(square, start.triangle);
+    const WalkEnd end = walker.walk(start, {dot(way, axes.x), dot(way, axes.y)});
+    const Vec3 goal = from + way, to = point_at(square, end.place);
+    CHECK(end.whole == (goal.x > 0 && goal.x < 1 && goal.y > 0 && goal.y < 1));
+    if (end.whole) CHECK(distance(goal, to) < 1e-12);
+    CHECK(length(cross(to - from, way)) < 1e-12);
+    const TriangleAxes last = axes_of(square, end.place.triangle);
+    CHECK(distance(end.turn.x * last.x + end.turn.y * last.y, axes.x) < 1e-12);
+  }
+}
+
+TEST_CASE("a walk round a pipe comes back, and a barrier stops it") {
+  const int n = 24;
+  const SurfaceMesh pipe = cylinder(n, 6, 1, 3);
+  std::vector<char> barrier(3 * pipe.triangles.size(), 0);
+  const double round = n * 2 * std::sin(turn / 2 / n);
+  const SurfacePlace start{30, {0.3, 0.3, 0.4}};
+  const Vec3 from = point_at(pipe, start);
+  const TriangleAxes axes = axes_of(pipe, start.triangle);
+  const Vec3 way = cross(Vec3{0, 0, 1}, axes.normal);
+  const Vec2 flat = {round * dot(way, axes.x), round * dot(way, axes.y)};
+  CHECK(distance(point_at(pipe, SurfaceWalker(pipe, barrier).walk(start, flat).place), from) <
+        1e-12);
+  for (Index e = 0; e < static_cast<Index>(barrier.size()); ++e)
+    barrier[e] = pipe.points[pipe.origin(e)].x < -0.999 && pipe.points[pipe.target(e)].x < -0.999;
+  const WalkEnd stopped = SurfaceWalker(pipe, barrier).walk(start, flat);
+  CHECK(!stopped.whole);
+  CHECK(point_at(pipe, stopped.place).x < -0.999);
+}
+
+TEST_CASE("energies in space have the gradients they say") {
+  Rng rng(3);
+  const Vec3 up{0, 0, 1};
+  SpaceEtaOptions eta;
+  eta.size_weight = 0.1;
+  eta.area_weight = 0.2;
+  eta.cover_weight = 0.3;
+  for (int i = 0; i < 50; ++i) {
+    const SpaceQuad p = some_quad(rng);
+    CHECK(gradient_error(p, [&](const SpaceQuad& q, SpaceQuad& gradient) {
+            return eta_energy(q, 1.3, up, eta, gradient).value;
+          }) < 1e-5);
+    CHECK(gradient_error(p, [&](const SpaceQuad& q, SpaceQuad& gradient) {
+            return mean_ratio_energy(q, 1.3, up, {.epsilon = 0.1}, gradient).value;
+          }) < 1e-5);
+  }
+}
+
+TEST_CASE("in a plane the energies are those of the plane") {
+  Rng rng(4);
+  for (int i = 0; i < 50; ++i) {
+    SpaceQuad p = some_quad(rng), unused{};
+    std::vector<Vec2> flat, by_flat(4);
+    for (Vec3& q : p) {
+      q.z = 0;
+      flat.push_back({q.x, q.y});
+    }
+    const Face face{0, 1, 2, 3};
+    const double unit = 1.3;
+    SpaceEtaOptions eta;
+    eta.area_weight = 0.2;
+    CHECK(eta_energy(p, unit, {0, 0, 1}, eta, unused).value ==
+          Approx(eta_energy({&face, 1}, flat, {&unit, 1}, eta, by_flat).value).margin(1e-12));
+    CHECK(mean_ratio_energy(p, unit, {0, 0, 1}, {}, unused).value ==
+          Approx(mean_ratio_energy({&face, 1}, flat, {&unit, 1}, {}, by_flat).value));
+  }
+}
+
+TEST_CASE("a shaken box finds back, and its edges stay where they are") {
+  Meshed meshed(box_soup({1, 2, 1}, 3), 0.125);
+  const std::vector<Face> faces = meshed.mesh().faces;
+  shake(meshed, 0.07, 5);
+  CHECK(shell_quality(meshed.mesh()).nonconvex > 0);
+  const ShapeStats stats = optimise_shape(meshed.charted(), {}, meshed.mesh());
+  CHECK(stats.tangled_before > 0);
+  CHECK(stats.tangled_after == 0);
+  CHECK(shell_quality(meshed.mesh()).nonconvex == 0);
+  CHECK(shell_quality(meshed.mesh()).eta_min > 0.6);
+  CHECK(is_on_surface(meshed));
+  for (std::size_t v = 0; v < meshed.mesh().points.size(); ++v) {
+    const Vec3 p = meshed.mesh().points[v];
+    const auto on = [](double x, double end) { return std::abs(x * (end - x)) < 1e-12; };
+    const int at_end = on(p.x, 1) + on(p.y, 2) + on(p.z, 1);
+    CHECK(at_end >= 1 + meshed.mesh().pinned[v]);
+  }
+  // Out of order, the edges along a line would overlap.
+  CHECK(feature_length(meshed.mesh()) == Approx(16).epsilon(1e-12));
+}
+
+TEST_CASE("a shaken ball and ring are untangled on the surface") {
+  for (const SurfaceMesh& surface : {sphere(12), torus(48, 24, 1, 0.4)}) {
+    const double h = std::sqrt(surface_area(surface) / 1200);
+    Meshed meshed(soup_of(surface), h);
+    shake(meshed, 0.5 * h, 6);
+    const QuadQuality before = shell_quality(meshed.mesh());
+    CHECK(before.nonconvex > 0);
+    optimise_shape(meshed.charted(), {}, meshed.mesh());
+    const QuadQuality after = shell_quality(meshed.mesh());
+    CHECK(after.nonconvex == 0);
+    CHECK(after.eta_min > 0.3);
+    CHECK(after.eta_mean > 0.9);
+    CHECK(is_on_surface(meshed));
+  }
+}
+
+TEST_CASE("the worst quad does not become worse, nor does a second run") {
+  Meshed meshed(soup_of(torus(48, 24, 1, 0.4)), 0.12);
+  shake(meshed, 0.02, 7);
+  const QuadQuality before = shell_quality(meshed.mesh());
+  REQUIRE(before.nonconvex == 0);
+  optimise_shape(meshed.charted(), {}, meshed.mesh());
+  const QuadQuality once = shell_quality(meshed.mesh());
+  CHECK(once.eta_min >= std::min(before.eta_min, 0.5));
+  CHECK(once.eta_mean > before.eta_mean);
+  optimise_shape(meshed.charted(), {}, meshed.mesh());
+  const QuadQuality twice = shell_quality(meshed.mesh());
+  CHECK(twice.eta_min >= std::min(once.eta_min, 0.5));
+  CHECK(twice.eta_mean > once.eta_mean - 1e-3);
+}
+
+TEST_CASE("a straight corner that cannot move gets other quads") {
+  // Two quads of one face share the sides of a square; the lower one has a straight corner.
+  const SurfaceMesh square = plane_square(4);
+  Meshed meshed(soup_of(square), 0.25);
+  ShellMesh& mesh = meshed.mesh();
+  REQUIRE(mesh.faces.size() == 16);
+  // The diagonal edge of a hexagon of two quads turned, so that a border vertex has one quad.
+  const auto vertex_at = [&](double x, double y) {
+    for (std::size_t v = 0; v < mesh.points.size(); ++v)
+      if (distance(mesh.points[v], {x, y, 0}) < 1e-6) return static_cast<Index>(v);
+    return none;
+  };
+  const auto face_of = [&](std::array<Index, 4> corners) {
+    std::sort(corners.begin(), corners.end());
+    for (Face& face : mesh.faces) {
+      Face sorted = face;
+      std::sort(sorted.begin(), sorted.end());
+      if (sorted == corners) return &face;
+    }
+    return static_cast<Face*>(nullptr);
+  };
+  const Index a = vertex_at(0.25, 0), b = vertex_at(0.5, 0), c = vertex_at(0.75, 0);
+  const Index d = vertex_at(0.75, 0.25), e = vertex_at(0.5, 0.25), f = vertex_at(0.25, 0.25);
+  Face *left = face_of({a, b, e, f}), *right = face_of({b, c, d, e});
+  REQUIRE((left && right));
+  *left = {a, b, c, f};
+  *right = {c, d, e, f};
+  CHECK(shell_quality(mesh).nonconvex >= 1);
+  const ShapeStats stats = optimise_shape(meshed.charted(), {}, mesh);
+  CHECK(stats.tangled_before >= 1);
+  CHECK(stats.refilled > 0);
+  CHECK(stats.tangled_after == 0);
+  CHECK(shell_quality(mesh).eta_min > 0.4);
+}
