@@ -93,7 +93,7 @@ class SurfaceMesher::Run {
     for (const auto& [a, b, c] : surface().triangles)
       area += 0.5 * length(cross(surface().points[b] - surface().points[a],
                                  surface().points[c] - surface().points[a]));
-    h = options_.size > 0 ? options_.size : std::sqrt(area / default_quads);
+    h = options_.size > 0 ? options_.size : default_size(area);
     if (area / (h * h) > options_.max_elements)
       return Error{ErrorCode::too_many_elements,
                    "About " + short_number(area / (h * h)) +
@@ -115,6 +115,16 @@ class SurfaceMesher::Run {
     if (!size) return size.error();
     size_ = std::move(*size);
     return std::nullopt;
+  }
+
+  /// Of needles the border asks for more than the area.
+  double default_size(double area) const {
+    double border = 0;
+    for (Index e = 0; e < 3 * surface().triangle_count(); ++e)
+      if (surface().twins[e] == none)
+        border +=
+            distance(surface().points[surface().origin(e)], surface().points[surface().target(e)]);
+    return std::max(std::sqrt(area / default_quads), border / (2 * default_quads));
   }
 
   std::optional<Error> make_field() {
@@ -166,6 +176,13 @@ class SurfaceMesher::Run {
     auto nodes = mesh_curves(surface(), lines_, curves_, size_);
     if (!nodes) return nodes.error();
     nodes_ = std::move(*nodes);
+    // A quad has four corners.
+    if (static_cast<double>(nodes_.points.size()) > 4.0 * options_.max_elements)
+      return Error{ErrorCode::too_many_elements,
+                   "The curves of the surface alone need " + std::to_string(nodes_.points.size()) +
+                       " nodes, too many for " + std::to_string(options_.max_elements) +
+                       " elements. Use a larger size or raise maxElements.",
+                   {}};
     charts_.emplace(charted(), chart_options(options_), made_);
     return std::nullopt;
   }

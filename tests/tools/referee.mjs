@@ -1,10 +1,10 @@
 // The independent judge: runs the command line on every shared domain, valid polygon (at three
 // sizes) and invalid polygon, and has check2d.py look at each mesh. Ends with "N passed, N failed".
 // usage: node tests/tools/referee.mjs [shared folder] [lpquad] [--only TEXT] [--jobs N]
-import { spawn } from 'node:child_process';
 import { mkdirSync, readdirSync, readFileSync, rmSync, statSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { run, runJobs } from './jobs.mjs';
 
 const root = fileURLToPath(new URL('../../', import.meta.url));
 const args = process.argv.slice(2);
@@ -21,20 +21,6 @@ const meshSeconds = 120, checkSeconds = 300;
 const largestComparison = 2e12;  // bytes of the domain times bytes of the mesh
 // Sizes of the polygons' meshes as shares of the diagonal: coarse, usual, fine.
 const sizeShares = [1 / 12, 1 / 30, 1 / 80];
-
-function run(command, commandArgs, seconds) {
-  return new Promise((resolve) => {
-    const child = spawn(command, commandArgs, { timeout: seconds * 1000, killSignal: 'SIGKILL' });
-    let text = '';
-    child.stdout.on('data', (data) => (text += data));
-    child.stderr.on('data', (data) => (text += data));
-    child.on('error', (error) => resolve({ code: -1, text: String(error) }));
-    child.on('close', (code, signal) => {
-      if (signal) text += signal === 'SIGKILL' ? `stopped after ${seconds} s` : `died of ${signal}`;
-      resolve({ code: code ?? -1, text });
-    });
-  });
-}
 
 const jsonFiles = (folder) =>
   readdirSync(folder).filter((f) => f.endsWith('.json') && f !== 'INDEX.json').sort()
@@ -127,18 +113,7 @@ for (const file of jsonFiles(join(shared, 'data/invalid'))) {
 
 mkdirSync(work, { recursive: true });
 const chosen = jobs.filter(([name]) => name.includes(only));
-let next = 0, passed = 0, failed = 0;
-async function worker() {
-  while (next < chosen.length) {
-    const [name, job] = chosen[next++];
-    const start = Date.now();
-    const fault = await job();
-    fault ? ++failed : ++passed;
-    const seconds = ((Date.now() - start) / 1000).toFixed(1);
-    if (fault) console.log(`FAIL ${name} (${seconds} s)\n     ${fault.replaceAll('\n', '\n     ')}`);
-  }
-}
-await Promise.all(Array.from({ length: workers }, worker));
+const { passed, failed } = await runJobs(chosen, workers);
 rmSync(work, { recursive: true, force: true });
 console.log(`referee: ${passed} passed, ${failed} failed`);
 process.exit(failed === 0 && passed > 0 ? 0 : 1);
