@@ -20,8 +20,10 @@ double worst_eta(const QuadMesh& mesh) {
 }
 
 // A filling may have this many times fewer or more quads than the size field asks for, or else no
-// farther from it than the old one: without this, regularity wins over a fine spot's size.
-constexpr double least_count = 0.75, most_count = 1.35;
+// farther from it than the old one: without this, regularity wins over a fine spot's size. More is
+// the lesser evil (and costs energy anyway): small patches with a quad missing at a wall can often
+// be mended with many more quads only.
+constexpr double least_count = 0.75, most_count = 2;
 
 bool is_count_kept(double wanted, double before, double after) {
   if (after < before) return after >= least_count * wanted;
@@ -81,6 +83,7 @@ Refit Refitter::refit(const RefitRule& rule) {
 
   const Surroundings around(mesh_, fields_, patch_, outline_, options_.rings);
   const double now = around.energy_now(options_.energy);
+  const double least_eta = std::min(options_.worst_eta, around.worst_eta_now());
   const double wanted = wanted_quads(), before = static_cast<double>(patch_.faces().size());
   Trial best;
   double best_change = most_change(rule);
@@ -93,7 +96,7 @@ Refit Refitter::refit(const RefitRule& rule) {
     const double even = now + options_.credit * gain;
     if (!around.relax(trial, {.energy = options_.energy, .bound = even + best_change})) continue;
     const double change = trial.energy - even;
-    if (change >= best_change || worst_eta(trial.mesh) < options_.worst_eta) continue;
+    if (change >= best_change || worst_eta(trial.mesh) < least_eta) continue;
     best_change = change;
     best = std::move(trial);
   }

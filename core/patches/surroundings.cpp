@@ -5,6 +5,7 @@
 
 #include "cleanup/descent.h"
 #include "cleanup/untangle.h"
+#include "mesh/quality.h"
 
 namespace lpq {
 namespace {
@@ -99,6 +100,18 @@ double Surroundings::energy_now(const EtaEnergyOptions& options) const {
     sum += one.status == EvalStatus::ok ? std::min(one.value, invalid_energy) : invalid_energy;
   }
   return sum;
+}
+
+double Surroundings::worst_eta_now() const {
+  double worst = 1;
+  for (const std::vector<Index>* faces : {&patch_, &outside_})
+    for (const Index f : *faces) {
+      const Face& q = mesh_.face(f);
+      if (q[3] == none) continue;
+      worst = std::min(worst, quad_eta(mesh_.point(q[0]), mesh_.point(q[1]), mesh_.point(q[2]),
+                                       mesh_.point(q[3])));
+    }
+  return worst;
 }
 
 Trial Surroundings::place(const Filling& filling) const {

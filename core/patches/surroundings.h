@@ -32,6 +32,8 @@ class Surroundings {
 
   /// Energy of patch and rings as they are; `invalid` faces count as much as the worst valid one.
   double energy_now(const EtaEnergyOptions& options) const;
+  /// Least eta of the same faces.
+  double worst_eta_now() const;
 
   Trial place(const Filling& filling) const;
   /// Untangles where needed and lowers the energy. False when given up, or when a face stays that
