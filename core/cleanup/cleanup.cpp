@@ -54,6 +54,15 @@ void make_regular(CleanupResult& result, const Fields& fields, SmoothOptions smo
   result.mesh = std::move(topology).compact();
 }
 
+// What regularity could not mend for the price, at any price.
+void mend_shapes(CleanupResult& result, const Fields& fields) {
+  QuadTopology topology(std::move(result.mesh));
+  const IdealValence ideal(topology);
+  DiskPatterns patterns(PatternSet::repair);
+  add(mend_flat(topology, ideal, fields, patterns), result.stats);
+  result.mesh = std::move(topology).compact();
+}
+
 }  // namespace
 
 CleanupResult clean_up(QuadMesh mesh, const Fields& fields, const CleanupOptions& options) {
@@ -65,6 +74,7 @@ CleanupResult clean_up(QuadMesh mesh, const Fields& fields, const CleanupOptions
   result.mesh = std::move(mesh);
   make_valid(result, fields);
   if (options.topology) make_regular(result, fields, smoothing);
+  if (options.topology) mend_shapes(result, fields);
   // Other connectivity, other chances.
   if (options.topology && count_invalid(result.mesh) > 0) make_valid(result, fields);
   result.stats.still_invalid = count_invalid(result.mesh);

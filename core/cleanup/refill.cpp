@@ -16,7 +16,8 @@ constexpr int relax_steps = 14;
 constexpr double repair_allowance = 12;
 
 struct Shape {
-  Index invalid = 0;
+  double flat_eta = 0;
+  Index invalid = 0, flat = 0;
   double loss = 0, worst = 1;
 
   void add(std::span<const Vec2> points, const Face& face) {
@@ -27,6 +28,7 @@ struct Shape {
     } else if (face[3] != none) {
       const double eta =
           quad_eta(points[face[0]], points[face[1]], points[face[2]], points[face[3]]);
+      flat += eta < flat_eta;
       loss += 1 - eta;
       worst = std::min(worst, eta);
     }
@@ -113,7 +115,7 @@ void Refiller::weigh_loop(std::span<const Index> faces) {
 // The patterns of least irregularity, best first.
 void Refiller::choose_plans(std::vector<Plan>& plans) {
   const Index length = static_cast<Index>(loop_.size());
-  const bool repair = options_.repair && old_invalid_ > 0;
+  const bool repair = options_.repair && old_invalid_ + old_flat_ > 0;
   double bound = repair ? old_weight_ + repair_allowance : old_weight_ - least_gain;
   const std::size_t tries = options_.tries;
   for (const DiskPattern& pattern : patterns_.of_loop(length)) {
@@ -138,16 +140,18 @@ void Refiller::collect_ring(std::span<const Index> faces) {
     for (const Index f : mesh_.faces_of(v))
       if (!contains(faces, f) && !contains(ring_, f)) ring_.push_back(f);
   }
-  Shape shape;
+  Shape shape{.flat_eta = options_.flat_eta};
   for (const Index f : faces) shape.add(mesh_.points(), mesh_.face(f));
   for (const Index f : ring_) shape.add(mesh_.points(), mesh_.face(f));
   old_invalid_ = shape.invalid;
+  old_flat_ = shape.flat;
   old_loss_ = shape.loss;
   old_worst_ = shape.worst;
 }
 
 Refiller::Trial Refiller::build(const Plan& plan) const {
   Trial trial;
+  trial.shape.flat_eta = options_.flat_eta;
   const Index length = static_cast<Index>(loop_.size());
   std::vector<Index> pinned, free;
   for (const Index v : loop_) (mesh_.is_fixed(v) ? pinned : free).push_back(v);
@@ -220,6 +224,7 @@ void Refiller::relax(Trial& trial) const {
 bool Refiller::better(const Trial& trial, const Plan& plan) const {
   const Shape& shape = trial.shape;
   if (shape.invalid != old_invalid_) return shape.invalid < old_invalid_;
+  if (shape.flat != old_flat_) return shape.flat < old_flat_;
   const double gain = old_weight_ - plan.weight;
   if (gain < least_gain) return false;
   if (shape.worst < std::min(old_worst_, options_.worst_eta)) return false;
@@ -270,8 +275,8 @@ RefillResult Refiller::refill(std::span<const Index> faces) {
     relax(trial);
     for (const Face& face : trial.patch.faces) trial.shape.add(trial.patch.points, face);
     if (!better(trial, plan)) continue;
-    const double score =
-        options_.credit * plan.weight + trial.shape.loss + 4.0 * trial.shape.invalid;
+    const double score = options_.credit * plan.weight + trial.shape.loss +
+                         4.0 * (trial.shape.invalid + trial.shape.flat);
     if (best_plan.pattern != nullptr && score >= best_score) continue;
     best_score = score;
     best_plan = plan;

@@ -10,9 +10,9 @@
 //   +---+---+   +---+---+   +---+---+    +-------+    +---+---+   +---+---+   ~~~~~    ~~~~~
 //   2 faces: 2 faces        fewer faces               more faces              (wall below)
 //
-// Better means: fewer invalid faces, or no more of them and less irregularity, where the mean shape
-// may pay for the regularity at a fixed rate and the worst eta of the neighbourhood does not fall
-// below min(its old value, a floor). Cost: constant per cavity.
+// Better means: fewer invalid (then: flat) faces, or no more of them and less irregularity, where
+// the mean shape may pay for the regularity at a fixed rate and the worst eta of the neighbourhood
+// does not fall below min(its old value, a floor). Cost: constant per cavity.
 #pragma once
 
 #include "cleanup/disk_patterns.h"
@@ -24,10 +24,11 @@
 namespace lpq {
 
 struct RefillOptions {
-  double credit = 0.6;            // of one unit of irregularity, in units of the sum of 1 - eta
-  double worst_eta = 0.3;         // a neighbourhood better than this may fall to it
-  Index tries = 3;                // patterns smoothed and compared per cavity
-  bool repair = false;            // accept more irregularity where it makes faces valid
+  double credit = 0.6;     // of one unit of irregularity, in units of the sum of 1 - eta
+  double worst_eta = 0.3;  // a neighbourhood better than this may fall to it
+  Index tries = 3;         // patterns smoothed and compared per cavity
+  bool repair = false;     // accept more irregularity where it makes faces valid
+  double flat_eta = 0;     // with repair: or where it lifts faces above this
   Untangling untangling = Untangling::quick;  // spent on untangling each try
 };
 
@@ -75,7 +76,7 @@ class Refiller {
   std::vector<std::array<double, largest_loop>> weight_;  // of loop vertex i with c quads inside
   std::vector<Index> ring_;                               // faces outside that may change shape
   double old_weight_ = 0;
-  Index old_invalid_ = 0;
+  Index old_invalid_ = 0, old_flat_ = 0;
   double old_loss_ = 0, old_worst_ = 1;  // sum of 1 - eta, least eta: cavity and ring
 };
 

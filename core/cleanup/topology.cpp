@@ -9,6 +9,12 @@
 namespace lpq {
 namespace {
 
+// A corner beyond 155 degrees makes a face flat; its eta is below the other bound then.
+constexpr double flat_cosine = -0.906, flat_eta = 0.28;
+// Of flat faces nearly all can be mended, but for those in needles: many tries with fewer than one
+// in `worth_trying` accepted mean an outline full of these.
+constexpr Index enough_tries = 100, worth_trying = 4;
+
 bool remove_doublet(QuadTopology& mesh, Index v) {
   if (mesh.is_fixed(v) || mesh.valence(v) != 2) return false;
   const Index f = mesh.faces_of(v)[0], g = mesh.faces_of(v)[1];
@@ -41,25 +47,58 @@ RefillResult refill_at(QuadTopology& mesh, Refiller& refiller, Index v, bool wid
   return {};
 }
 
-// Refills around every invalid face, and around those that a refill left invalid.
-void repair_all(QuadTopology& mesh, Refiller& refiller, bool wide, TopologyStats& stats) {
+bool is_invalid(const QuadTopology& mesh, Index f) {
+  return !is_strictly_convex(mesh.points(), mesh.face(f));
+}
+
+bool is_flat(const QuadTopology& mesh, Index f) {
+  const Face& face = mesh.face(f);
+  const int n = corner_count(face);
+  for (int k = 0; k < n; ++k) {
+    const Vec2 at = mesh.point(face[k]);
+    const Vec2 ahead = mesh.point(face[(k + 1) % n]) - at;
+    const Vec2 back = mesh.point(face[(k + n - 1) % n]) - at;
+    if (dot(ahead, back) < flat_cosine * length(ahead) * length(back)) return true;
+  }
+  return false;
+}
+
+// What repair_all does about whom.
+struct Repairs {
+  bool (*is_bad)(const QuadTopology&, Index face);
+  bool wide = false;         // cavities
+  bool may_give_up = false;  // where it hardly ever succeeds
+};
+
+// Refills around the corners of f in turn until one succeeds.
+RefillResult refill_around(QuadTopology& mesh, Refiller& refiller, Index f, bool wide) {
+  const Face face = mesh.face(f);
+  RefillResult refill;
+  for (int k = 0; k < corner_count(face) && !refill.accepted; ++k)
+    refill = refill_at(mesh, refiller, face[k], wide);
+  return refill;
+}
+
+// Refills around every bad face, and around those that a refill left bad.
+void repair_all(QuadTopology& mesh, Refiller& refiller, const Repairs& repairs,
+                TopologyStats& stats) {
   std::vector<Index> queue;
   const auto enqueue = [&](Index f) {
-    if (mesh.is_alive(f) && !is_strictly_convex(mesh.points(), mesh.face(f))) queue.push_back(f);
+    if (mesh.is_alive(f) && repairs.is_bad(mesh, f)) queue.push_back(f);
   };
   for (Index f = 0; f < mesh.face_slots(); ++f) enqueue(f);
+  Index tried = 0, mended = 0;
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const Index f = queue[i];
-    if (!mesh.is_alive(f) || is_strictly_convex(mesh.points(), mesh.face(f))) continue;
-    const Face face = mesh.face(f);
-    for (int k = 0; k < corner_count(face); ++k) {
-      const RefillResult refill = refill_at(mesh, refiller, face[k], wide);
-      if (!refill.accepted) continue;
-      count(refill, stats);
-      for (const Index v : refill.vertices)
-        for (const Index g : mesh.faces_of(v)) enqueue(g);
-      break;
-    }
+    if (!mesh.is_alive(f) || !repairs.is_bad(mesh, f)) continue;
+    if (repairs.may_give_up && tried > enough_tries && mended * worth_trying < tried) break;
+    ++tried;
+    const RefillResult refill = refill_around(mesh, refiller, f, repairs.wide);
+    if (!refill.accepted) continue;
+    ++mended;
+    count(refill, stats);
+    for (const Index v : refill.vertices)
+      for (const Index g : mesh.faces_of(v)) enqueue(g);
   }
 }
 
@@ -91,8 +130,17 @@ TopologyStats repair_invalid(QuadTopology& mesh, const IdealValence& ideal, cons
                  {.tries = 8, .repair = true, .untangling = Untangling::patient});
   Refiller thorough(mesh, ideal, fields, patterns,
                     {.tries = 3, .repair = true, .untangling = Untangling::thorough});
-  repair_all(mesh, quick, true, stats);
-  repair_all(mesh, thorough, false, stats);
+  repair_all(mesh, quick, {.is_bad = is_invalid, .wide = true}, stats);
+  repair_all(mesh, thorough, {.is_bad = is_invalid}, stats);
+  return stats;
+}
+
+TopologyStats mend_flat(QuadTopology& mesh, const IdealValence& ideal, const Fields& fields,
+                        DiskPatterns& patterns) {
+  TopologyStats stats;
+  Refiller refiller(mesh, ideal, fields, patterns,
+                    {.tries = 8, .repair = true, .flat_eta = flat_eta});
+  repair_all(mesh, refiller, {.is_bad = is_flat, .wide = true, .may_give_up = true}, stats);
   return stats;
 }
 

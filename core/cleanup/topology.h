@@ -33,6 +33,11 @@ struct TopologyStats {
 TopologyStats repair_invalid(QuadTopology& mesh, const IdealValence& ideal, const Fields& fields,
                              DiskPatterns& patterns);
 
+/// The same for flat quads: those with a corner of nearly 180 degrees, which most often is a wall
+/// vertex with one quad instead of two. Needles stay: no connectivity widens a given angle.
+TopologyStats mend_flat(QuadTopology& mesh, const IdealValence& ideal, const Fields& fields,
+                        DiskPatterns& patterns);
+
 /// Refills cavities around irregular vertices while that lowers the total irregularity (which
 /// bounds the number of refills), without creating invalid faces or bad shapes. Cost O(#irregular).
 TopologyStats regularise(QuadTopology& mesh, const IdealValence& ideal, const Fields& fields,

@@ -133,6 +133,37 @@ TEST_CASE("a straight boundary angle gets its second quad") {
   CHECK(triangles == 2);
 }
 
+//   e---d---c       e---d---c
+//   |   |   |       |   |   |
+//   |   x   |   ->  |   |   |     valid, but the quad at v has a corner of nearly 180 degrees
+//   | /   \ |       |   |   |
+//   a---v---b       a---v---b
+TEST_CASE("a flat quad at a wall is mended") {
+  const QuadMesh start = mesh_of({{0, 0}, {2, -0.01}, {4, 0}, {4, 4}, {2, 4}, {0, 4}, {2, 2}},
+                                 {{0, 1, 2, 6}, {2, 3, 4, 6}, {6, 4, 5, 0}}, 6);
+  REQUIRE(invalid_faces(start).empty());
+  REQUIRE(face_eta(start, start.faces[0]) < 0.01);
+  QuadTopology topology(start);
+  const IdealValence ideal(topology);
+  DiskPatterns patterns(PatternSet::repair);
+  mend_flat(topology, ideal, uniform_fields(start, 2), patterns);
+  const QuadMesh result = std::move(topology).compact();
+  CHECK(border_of(result) == border_of(start));
+  CHECK(invalid_faces(result).empty());
+  for (const Face& face : result.faces) CHECK(face_eta(result, face) > 0.4);
+}
+
+TEST_CASE("mending flat quads leaves needles and good meshes alone") {
+  const QuadMesh needle = mesh_of({{0, 0}, {9, -0.1}, {10, 0}, {9, 0.1}}, {{0, 1, 2, 3}}, 4);
+  for (const QuadMesh& start : {needle, grid(5, 4), shaken(grid(5, 4), 0.2)}) {
+    QuadTopology topology(start);
+    const IdealValence ideal(topology);
+    DiskPatterns patterns(PatternSet::repair);
+    mend_flat(topology, ideal, uniform_fields(start, 1), patterns);
+    CHECK(std::move(topology).compact().faces == start.faces);
+  }
+}
+
 TEST_CASE("one quad with a reflex corner becomes five convex ones") {
   const QuadMesh start = mesh_of({{0, 0}, {4, -1}, {1, 1}, {-1, 4}}, {{0, 1, 2, 3}}, 4);
   REQUIRE(invalid_faces(start).size() == 1);
