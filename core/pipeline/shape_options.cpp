@@ -24,7 +24,7 @@ PatchOptions patch_options(const Options& options) {
                     .rounding = coarse_rounding,
                     .floor_deviation = 1 - smoothing.eta_floor};
   if (options.effort == Effort::high) {
-    patches.credit = 7;
+    patches.credit = 5;
     patches.plans = 10;
     patches.passes = {{20},           {60}, {200}, {200, 0.8, 80}, {200, 0.4, 80},
                       {200, 0.2, 80}, {60}, {200}, {600}};
