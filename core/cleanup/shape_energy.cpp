@@ -16,6 +16,8 @@ constexpr double least_corner = 1e-9;
 // The length term levels off here (edges four times too long or short): where the 1D mesh forces
 // such lengths, they must not outweigh everything else.
 constexpr double saturation = 16;
+// Slope of the size field at which the size terms count half, and the least they count.
+constexpr double steep = 0.1, least_share = 0.4;
 
 // A face's edges e[k] = p[k+1] - p[k] and what both energies need of them.
 template <int N>
@@ -111,8 +113,8 @@ DirectionTerm direction_term(Vec2 edge, double squared, Vec2 pull) {
 }
 
 template <int N>
-Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit, Vec2 pull,
-                    const EtaEnergyOptions& options, std::span<Vec2> gradient) {
+Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit, double share,
+                    Vec2 pull, const EtaEnergyOptions& options, std::span<Vec2> gradient) {
   constexpr double target = N == 4 ? 0.0 : 1.0 / 3.0;  // 90 or 60 degrees, from 90, over 90
   const Corners<N> corners(face, points);
   std::array<double, N> area, t, rounded, power;
@@ -139,6 +141,7 @@ Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
   double sum = e + options.floor_weight * excess * excess;
   // d sum / d alpha_k = slope power_k: an angle enters its deviation with factor 2 / pi.
   const double slope = (1 + 2 * options.floor_weight * excess) * (e / total) * (2 / pi);
+  const double size_weight = share * options.size_weight;
   std::array<double, N> turn, stretch, misfit, damping;
   for (int k = 0; k < N; ++k) {
     const double inverse = 1 / corners.squared[k], s = corners.squared[k] * unit;
@@ -146,10 +149,9 @@ Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
     misfit[k] = s + inverse_s - 2;
     damping[k] = 1 / (1 + misfit[k] / saturation);
     turn[k] = slope * (power[(k + 1) % N] - power[k]) * inverse;
-    stretch[k] =
-        2 * options.size_weight * unit * (1 - inverse_s * inverse_s) * damping[k] * damping[k];
+    stretch[k] = 2 * size_weight * unit * (1 - inverse_s * inverse_s) * damping[k] * damping[k];
   }
-  for (int k = 0; k < N; ++k) sum += options.size_weight * misfit[k] * damping[k];
+  for (int k = 0; k < N; ++k) sum += size_weight * misfit[k] * damping[k];
   if (N == 4 && !(pull == Vec2{0, 0}))
     for (int k = 0; k < N; ++k) {
       const DirectionTerm term = direction_term(corners.edge[k], corners.squared[k], pull);
@@ -158,7 +160,7 @@ Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
     }
   double growth = 0;
   if (N == 4 && options.area_weight > 0) {
-    const AreaTerm term = area_term(area[1] + area[3], unit, options.area_weight);
+    const AreaTerm term = area_term(area[1] + area[3], unit, share * options.area_weight);
     sum += term.value;
     growth = term.slope;
   }
@@ -211,15 +213,23 @@ Evaluation mean_ratio_energy(std::span<const Face> faces, std::span<const Vec2> 
 Evaluation eta_energy(std::span<const Face> faces, std::span<const Vec2> points,
                       std::span<const double> inverse_square, const EtaEnergyOptions& options,
                       std::span<Vec2> gradient, std::span<const Vec2> pull) {
+  const auto share = [&](std::size_t f) {
+    return options.size_share.empty() ? 1.0 : options.size_share[f];
+  };
   return sum_faces(
       faces, inverse_square,
       [&](std::size_t f) {
         const Vec2 z = pull.empty() ? Vec2{0, 0} : pull[f];
-        return eta_face<4>(faces[f], points, inverse_square[f], z, options, gradient);
+        return eta_face<4>(faces[f], points, inverse_square[f], share(f), z, options, gradient);
       },
       [&](std::size_t f) {
-        return eta_face<3>(faces[f], points, inverse_square[f], {}, options, gradient);
+        return eta_face<3>(faces[f], points, inverse_square[f], share(f), {}, options, gradient);
       });
+}
+
+double share_at_slope(double slope) {
+  const double ratio = slope / steep;
+  return std::max(least_share, 1 / (1 + ratio * ratio));
 }
 
 double smallest_corner(std::span<const Face> faces, std::span<const Vec2> points,

@@ -36,7 +36,12 @@ struct EtaEnergyOptions {
   double floor_deviation = 0.36;  // e0 = 1 - the eta below which the floor pushes
   double floor_weight = 100;      // g
   double pull_weight = 2;         // of the direction term, per edge and side
+  std::span<const double> size_share;  // #F  factor of a face's size terms; empty: 1
 };
+
+/// The share of the size terms where the size field has this slope: lines of the mesh that keep to
+/// a steep field have to end or to spread, so there shapes pay most for sizes.
+double share_at_slope(double slope);
 
 /// `inverse_square[f]` is 1/s^2 of the face; 0 leaves the face out. Adds to `gradient`.
 Evaluation mean_ratio_energy(std::span<const Face> faces, std::span<const Vec2> points,

@@ -147,6 +147,15 @@ std::vector<double> target_inverse_squares(const QuadMesh& mesh, const Fields& f
   return result;
 }
 
+std::vector<double> size_shares(const QuadMesh& mesh, const Fields& fields) {
+  std::vector<double> result;
+  result.reserve(mesh.faces.size());
+  Index hint = none;
+  for (const Face& face : mesh.faces)
+    result.push_back(share_at_slope(fields.slope(centre_of(mesh.points, face), hint)));
+  return result;
+}
+
 std::vector<Vec2> target_pulls(const QuadMesh& mesh, const Fields& fields) {
   std::vector<Vec2> result;
   if (fields.pull.empty()) return result;
@@ -157,16 +166,18 @@ std::vector<Vec2> target_pulls(const QuadMesh& mesh, const Fields& fields) {
 }
 
 void smooth_eta(QuadMesh& mesh, const Fields& fields, const SmoothOptions& options) {
-  const EtaEnergyOptions energy{.size_weight = options.size_weight,
-                                .area_weight = options.area_weight,
-                                .rounding = options.rounding,
-                                .floor_deviation = 1 - options.eta_floor};
+  EtaEnergyOptions energy{.size_weight = options.size_weight,
+                          .area_weight = options.area_weight,
+                          .rounding = options.rounding,
+                          .floor_deviation = 1 - options.eta_floor};
   std::vector<double> etas = all_etas(mesh);
   const std::vector<double> least = least_allowed(mesh, etas);
   const std::vector<Vec2> before = mesh.points;
   std::vector<double> targets = target_inverse_squares(mesh, fields);
   if (options.lift) lift_worst(mesh, etas, targets, energy);
   const std::vector<Vec2> pulls = target_pulls(mesh, fields);
+  const std::vector<double> shares = size_shares(mesh, fields);
+  energy.size_share = shares;
   int left = options.iterations;
   for (const double bound : pinned_below) {
     if (left <= 0) break;

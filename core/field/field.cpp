@@ -168,6 +168,8 @@ Vec2 unit_root(Vec2 z) {
   return {0.5 * std::abs(z.y) / s, z.y < 0 ? -s : s};
 }
 
+double Fields::slope(Vec2 p, Index& hint) const { return length(cell_at(p, hint).h_gradient); }
+
 Vec2 axis_of(Vec2 z) {
   const double norm2 = squared_length(z);
   if (norm2 == 0) return {1, 0};

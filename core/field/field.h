@@ -46,6 +46,8 @@ struct Fields {
   double size(Vec2 p, Index& hint) const;
   /// The interpolated pull: direction z, length 0 to 1.
   Vec2 pull_at(Vec2 p, Index& hint) const;
+  /// |grad h|, constant in each triangle of the background.
+  double slope(Vec2 p, Index& hint) const;
   /// Triangle that contains p, reached from triangle `from` without crossing a wall; none when a
   /// wall is in the way. Never searches: the test "can y be seen from x" of the point packings.
   Index walk(Vec2 p, Index from) const;

@@ -31,6 +31,18 @@ void sort_unique(std::vector<Index>& list) {
 
 }  // namespace
 
+void Aims::append(const Aims& others) {
+  target.insert(target.end(), others.target.begin(), others.target.end());
+  share.insert(share.end(), others.share.begin(), others.share.end());
+  pull.insert(pull.end(), others.pull.begin(), others.pull.end());
+}
+
+void Aims::clear() {
+  target.clear();
+  share.clear();
+  pull.clear();
+}
+
 Surroundings::Surroundings(const QuadTopology& mesh, const Fields& fields, const PatchGrowth& patch,
                            const PatchOutline& outline, int rings)
     : mesh_(mesh), fields_(fields), outline_(outline), patch_(patch.faces()) {
@@ -41,9 +53,7 @@ Surroundings::Surroundings(const QuadTopology& mesh, const Fields& fields, const
   std::sort(numbers_.begin(), numbers_.end());
   for (const Index f : outside_) {
     Face face = mesh_.face(f);
-    const Vec2 centre = centre_of(mesh_.points(), face);
-    ring_target_.push_back(target(centre));
-    if (pulls()) ring_pull_.push_back(pull(centre));
+    aim(centre_of(mesh_.points(), face), ring_aims_);
     for (int k = 0; k < corner_count(mesh_.face(f)); ++k) face[k] = local(face[k]);
     ring_.push_back(face);
   }
@@ -77,15 +87,19 @@ Index Surroundings::local(Index v) const {
   return (*std::lower_bound(numbers_.begin(), numbers_.end(), std::array<Index, 2>{v, none}))[1];
 }
 
-double Surroundings::target(Vec2 centre) const {
+void Surroundings::aim(Vec2 centre, Aims& aims) const {
   const double h = fields_.size(centre, hint_);
-  return 1 / (h * h);
+  aims.target.push_back(1 / (h * h));
+  aims.share.push_back(share_at_slope(fields_.slope(centre, hint_)));
+  if (!fields_.pull.empty()) aims.pull.push_back(fields_.pull_at(centre, hint_));
 }
 
 double Surroundings::energy_now(const EtaEnergyOptions& options) const {
   std::vector<Vec2> points, gradient(4);
   std::vector<Index> faces = patch_;
   faces.insert(faces.end(), outside_.begin(), outside_.end());
+  EtaEnergyOptions own = options;
+  Aims aims;
   double sum = 0;
   for (const Index f : faces) {
     const Face& face = mesh_.face(f);
@@ -93,10 +107,10 @@ double Surroundings::energy_now(const EtaEnergyOptions& options) const {
     points.clear();
     for (int k = 0; k < n; ++k) points.push_back(mesh_.point(face[k]));
     const Face alone{0, 1, 2, n == 4 ? 3 : none};
-    const Vec2 centre = centre_of(mesh_.points(), face);
-    const double unit = target(centre);
-    const Vec2 z = pull(centre);
-    const Evaluation one = eta_energy({&alone, 1}, points, {&unit, 1}, options, gradient, {&z, 1});
+    aims.clear();
+    aim(centre_of(mesh_.points(), face), aims);
+    own.size_share = aims.share;
+    const Evaluation one = eta_energy({&alone, 1}, points, aims.target, own, gradient, aims.pull);
     sum += one.status == EvalStatus::ok ? std::min(one.value, invalid_energy) : invalid_energy;
   }
   return sum;
@@ -127,14 +141,11 @@ Trial Surroundings::place(const Filling& filling) const {
   for (Face face : filling.faces) {
     for (Index& v : face) v = v < length ? number[v] : first_new + v;
     trial.mesh.faces.push_back(face);
-    const Vec2 centre = centre_of(trial.mesh.points, face);
-    trial.target.push_back(target(centre));
-    if (pulls()) trial.pull.push_back(pull(centre));
+    aim(centre_of(trial.mesh.points, face), trial.aims);
   }
   trial.filled = static_cast<Index>(trial.mesh.faces.size());
   trial.mesh.faces.insert(trial.mesh.faces.end(), ring_.begin(), ring_.end());
-  trial.target.insert(trial.target.end(), ring_target_.begin(), ring_target_.end());
-  trial.pull.insert(trial.pull.end(), ring_pull_.begin(), ring_pull_.end());
+  trial.aims.append(ring_aims_);
   return trial;
 }
 
@@ -142,20 +153,22 @@ bool Surroundings::relax(Trial& trial, const RelaxOptions& options) const {
   QuadMesh& mesh = trial.mesh;
   const std::vector<double> sizes = vertex_sizes(mesh);
   for (int round = 0; round < untangling_rounds; ++round) {
-    const double worst = smallest_corner(mesh.faces, mesh.points, trial.target);
+    const double worst = smallest_corner(mesh.faces, mesh.points, trial.aims.target);
     if (worst > usable_corner) break;
     MeanRatioOptions ratio;
     if (worst < 1e-3) ratio.epsilon = std::sqrt(0.01 + 0.5 * worst * worst);
     descend(mesh, sizes, options.untangling,
             [&](std::span<const Vec2> points, std::span<Vec2> gradient) {
-              return mean_ratio_energy(mesh.faces, points, trial.target, ratio, gradient);
+              return mean_ratio_energy(mesh.faces, points, trial.aims.target, ratio, gradient);
             });
     if (worst >= 1e-3) break;
   }
+  EtaEnergyOptions shape = options.energy;
+  shape.size_share = trial.aims.share;
   const auto energy = [&](std::span<const Vec2> points, std::span<Vec2> gradient) {
-    return eta_energy(mesh.faces, points, trial.target, options.energy, gradient, trial.pull);
+    return eta_energy(mesh.faces, points, trial.aims.target, shape, gradient, trial.aims.pull);
   };
-  if (smallest_corner(mesh.faces, mesh.points, trial.target) <= 0) return false;
+  if (smallest_corner(mesh.faces, mesh.points, trial.aims.target) <= 0) return false;
   std::vector<Vec2> gradient(mesh.points.size());
   descend(mesh, sizes, options.first_look, energy);
   if ((1 - hoped_drop) * energy(mesh.points, gradient).value > options.bound) return false;

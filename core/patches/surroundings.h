@@ -10,10 +10,20 @@
 namespace lpq {
 
 /// A filling in its surroundings.
+/// What the fields ask of each face.
+struct Aims {
+  std::vector<double> target;  // 1/h^2
+  std::vector<double> share;   // of the size terms
+  std::vector<Vec2> pull;      // empty where fields have none
+
+  void append(const Aims& others);
+  void clear();
+};
+
 struct Trial {
   QuadMesh mesh;               // vertices of the surroundings first, as numbered there
   std::vector<double> target;  // #F  1/h^2 of each face
-  std::vector<Vec2> pull;      // #F  of each face, empty where fields have none
+  Aims aims;                   // #F
   Index filled = 0;            // the first faces are the filling's
   double energy = 0;           // of all faces
 };
@@ -47,9 +57,7 @@ class Surroundings {
  private:
   void collect(const PatchGrowth& patch, int rings);
   Index local(Index v) const;
-  double target(Vec2 centre) const;
-  bool pulls() const { return !fields_.pull.empty(); }
-  Vec2 pull(Vec2 centre) const { return fields_.pull_at(centre, hint_); }
+  void aim(Vec2 centre, Aims& aims) const;
 
   const QuadTopology& mesh_;
   const Fields& fields_;
@@ -59,8 +67,7 @@ class Surroundings {
   std::vector<std::array<Index, 2>> numbers_;  // (vertex, local number), sorted
   std::vector<Index> outside_;                 // faces of the rings
   std::vector<Face> ring_;                     // the same in local numbers
-  std::vector<double> ring_target_;
-  std::vector<Vec2> ring_pull_;
+  Aims ring_aims_;
   std::vector<Index> patch_;
   mutable Index hint_ = none;
 };

@@ -81,6 +81,36 @@ TEST_CASE("a pull costs nothing along its cross, and most at 45 degrees from it"
   CHECK(std::abs(cost({-0.5, 0}) - 1) < 1e-12);
 }
 
+TEST_CASE("a face's size terms count by its share") {
+  const QuadMesh mesh = with_triangle();
+  const std::vector<double> unit(mesh.faces.size(), 1.3);
+  std::vector<double> share;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) share.push_back(f % 3 * 0.5);
+  const EtaEnergyOptions options{.size_weight = 0.3, .area_weight = 0.2, .size_share = share};
+  const double error = gradient_error(mesh, [&](const QuadMesh& m, std::span<Vec2> gradient) {
+    return eta_energy(m.faces, m.points, unit, options, gradient);
+  });
+  CHECK(error < 1e-6);
+  std::vector<Vec2> gradient(mesh.points.size());
+  double sum = 0;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    sum += eta_energy({&mesh.faces[f], 1}, mesh.points, {&unit[f], 1},
+                      {.size_weight = 0.3 * share[f], .area_weight = 0.2 * share[f]}, gradient)
+               .value;
+  CHECK(eta_energy(mesh.faces, mesh.points, unit, options, gradient).value == Approx(sum));
+}
+
+TEST_CASE("sizes count fully where the field is level and never less than a part") {
+  CHECK(share_at_slope(0) == 1);
+  double last = 1;
+  for (double slope = 0.05; slope < 3; slope += 0.05) {
+    const double share = share_at_slope(slope);
+    CHECK(share <= last);
+    CHECK(share > 0.2);
+    last = share;
+  }
+}
+
 TEST_CASE("the mean ratio is finite and its gradient right on tangled faces") {
   QuadMesh mesh = shaken(grid(4, 4), 1.5, 3);
   const std::vector<double> unit(mesh.faces.size(), 1.0);
