@@ -16,6 +16,8 @@ constexpr double least_corner = 1e-9;
 // The length term levels off here (edges four times too long or short): where the 1D mesh forces
 // such lengths, they must not outweigh everything else.
 constexpr double saturation = 16;
+// Much later for short ones: a quad with one side next to nothing is a triangle, of a fair eta.
+constexpr double saturation_of_short = 256;
 // Slope of the size field at which the size terms count half, and the least they count.
 constexpr double steep = 0.1, least_share = 0.4;
 
@@ -147,7 +149,7 @@ Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
     const double inverse = 1 / corners.squared[k], s = corners.squared[k] * unit;
     const double inverse_s = inverse / unit;
     misfit[k] = s + inverse_s - 2;
-    damping[k] = 1 / (1 + misfit[k] / saturation);
+    damping[k] = 1 / (1 + misfit[k] / (s < 1 ? saturation_of_short : saturation));
     turn[k] = slope * (power[(k + 1) % N] - power[k]) * inverse;
     stretch[k] = 2 * size_weight * unit * (1 - inverse_s * inverse_s) * damping[k] * damping[k];
   }

@@ -155,19 +155,48 @@ double extent_of(const BoundaryMesh& boundary) {
   return std::max(high.x - low.x, high.y - low.y);
 }
 
-}  // namespace
-
-Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& options) {
-  if (auto error = judge(options)) return std::move(*error);
+BackgroundBuilder builder_for(const BoundaryMesh& boundary, const FieldOptions& options) {
   std::vector<Source> sources;
   for (const SizeSample& s : options.sizes) sources.push_back({s.position, s.h});
   const double detail = options.function_detail > 0 ? options.function_detail
                                                     : function_resolution * extent_of(boundary);
-  BackgroundBuilder builder(boundary, sources, options.size_function ? detail : 0);
-  const Result<TriMesh> coarse = builder.coarse();
+  return BackgroundBuilder(boundary, sources, options.size_function ? detail : 0);
+}
+
+// The coarse background and the sizes at its vertices.
+Result<TriMesh> coarse_sizes(const BackgroundBuilder& builder, const BoundaryMesh& boundary,
+                             const FieldOptions& options, std::vector<double>& h) {
+  Result<TriMesh> coarse = builder.coarse();
+  if (!coarse) return coarse;
+  h = asked_sizes(*coarse, boundary, options);
+  if (auto error = complete_sizes(*coarse, boundary, options, h)) return std::move(*error);
+  return coarse;
+}
+
+}  // namespace
+
+Result<double> estimate_quads(const BoundaryMesh& boundary, const FieldOptions& options) {
+  if (auto error = judge(options)) return std::move(*error);
+  std::vector<double> h;
+  const Result<TriMesh> mesh = coarse_sizes(builder_for(boundary, options), boundary, options, h);
+  if (!mesh) return mesh.error();
+  double quads = 0;
+  for (const auto& [a, b, c] : mesh->triangles) {
+    const double area =
+        0.5 * cross(mesh->points[b] - mesh->points[a], mesh->points[c] - mesh->points[a]);
+    // Exact for quadratic integrands; 1/h^2 varies by a small factor in a triangle.
+    for (const double middle : {h[a] + h[b], h[b] + h[c], h[c] + h[a]})
+      quads += area / 3 * 4 / (middle * middle);
+  }
+  return quads;
+}
+
+Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& options) {
+  if (auto error = judge(options)) return std::move(*error);
+  BackgroundBuilder builder = builder_for(boundary, options);
+  std::vector<double> coarse_h;
+  const Result<TriMesh> coarse = coarse_sizes(builder, boundary, options, coarse_h);
   if (!coarse) return coarse.error();
-  std::vector<double> coarse_h = asked_sizes(*coarse, boundary, options);
-  if (auto error = complete_sizes(*coarse, boundary, options, coarse_h)) return std::move(*error);
 
   const auto size_at = [&](Index t, const double(&weights)[3], Vec2 point) {
     const double h = interpolate(*coarse, coarse_h, t, weights);

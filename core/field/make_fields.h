@@ -36,4 +36,8 @@ struct FieldOptions {
 /// factorisations of the background.
 Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& options = {});
 
+/// About how many quads these sizes ask for, the integral of 1/h^2, from the coarse background
+/// alone. Errors: those of the sizes above.
+Result<double> estimate_quads(const BoundaryMesh& boundary, const FieldOptions& options);
+
 }  // namespace lpq

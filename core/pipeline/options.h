@@ -43,11 +43,11 @@ struct Options {
   double norm = 6;
   int iterations = -1;
   std::uint64_t seed = 1;
-  double growth = 0.3;
+  double growth = 0;
   double simplify = 0;
   bool allow_added_point = false;
   bool strict = false;
-  double size_weight = 0.11;
+  double size_weight = 0.12;
   int smoothing = -1;
   int max_elements = 10'000'000;
 };
@@ -97,7 +97,10 @@ void each_field(O& o, F&& visit) {
                 "L-BFGS iterations; -1 is 80 for an isotropic start and none for an aligned one."});
   visit("seed", o.seed,
         FieldInfo{0, 9007199254740991.0, "", "Seed of the isotropic start's jitter."});
-  visit("growth", o.growth, FieldInfo{0.01, 10, "", "Largest slope of the size field."});
+  visit("growth", o.growth,
+        FieldInfo{0, 10, "",
+                  "Largest slope of the size field; 0 is 0.08, or up to 0.3 where 0.08 would cost "
+                  "more than 5000 elements over 0.3."});
   visit("simplify", o.simplify,
         FieldInfo{0, 1e300, "length",
                   "Boundary vertices may be dropped when the outline moves by at most this (not "

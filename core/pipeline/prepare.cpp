@@ -16,6 +16,18 @@ constexpr double least_steps = 16;
 
 Error size_error(std::string message) { return {ErrorCode::bad_size, std::move(message), {}}; }
 
+// The slope of sizes when the caller leaves the choice to us. In a field of slope g quads lose
+// about g/2 of their shape, since lines have to spread or end, and a mesh graded over all its
+// extent has about 1/g times as many of them: shape is bought with quads, but with this many at
+// most.
+constexpr double gentle_growth = 0.08, steep_growth = 0.3;
+constexpr double spare_quads = 5000;
+// Boundaries with more nodes than this are not looked at with the gentle slope at all, and where
+// the spare quads would hardly show they are saved, too.
+constexpr Index most_gentle_nodes = 50000;
+constexpr double least_share = 0.05;
+constexpr double least_growth = 0.01;
+
 double diagonal(const Domain& domain) {
   Vec2 lo = domain.points[0], hi = lo;
   for (const Vec2 p : domain.points) {
@@ -67,23 +79,24 @@ Result<double> judge_size(const Domain& domain, const Options& options) {
   return size;
 }
 
-BoundaryOptions boundary_options(const Domain& domain, const Options& options, double size) {
+BoundaryOptions boundary_options(const Domain& domain, const Options& options, double size,
+                                 double growth, Index most_nodes) {
   return {.keep = options.keep_boundary,
           .size = size,
-          .growth = options.growth,
+          .growth = growth,
           .simplify_tolerance = domain.frame.length_to_frame(options.simplify),
           .require_even = options.elements == Elements::quad,
           .allow_added_point = options.allow_added_point,
           // a quad has four edges: more nodes than that mean more elements than allowed
-          .max_nodes = std::min(BoundaryOptions{}.max_nodes, Index{4} * options.max_elements)};
+          .max_nodes = std::min(most_nodes, Index{4} * options.max_elements)};
 }
 
 // The caller's fields, moved into the unit frame.
-FieldOptions field_options(const UnitFrame& frame, const Options& options, const UserFields& user,
-                           double size) {
+FieldOptions field_options(const UnitFrame& frame, const UserFields& user, double size,
+                           double growth) {
   FieldOptions fields;
   fields.size = size;
-  fields.growth = options.growth;
+  fields.growth = growth;
   for (const UserFields::SizeAt& s : user.sizes)
     fields.sizes.push_back({frame.to_frame(s.position), frame.length_to_frame(s.h)});
   for (const UserFields::Guide& guide : user.guides) {
@@ -100,6 +113,50 @@ FieldOptions field_options(const UnitFrame& frame, const Options& options, const
       return angle_at(frame.to_world(p));
     };
   return fields;
+}
+
+// A boundary with the sizes inside still to come.
+struct Graded {
+  BoundaryMesh boundary;
+  FieldOptions fields;
+};
+
+Result<Graded> grade(const Domain& domain, const Options& options, const UserFields& user,
+                     double size, double growth, Index most_nodes = BoundaryOptions{}.max_nodes) {
+  auto boundary =
+      sample_boundary(domain, boundary_options(domain, options, size, growth, most_nodes));
+  if (!boundary) return boundary.error();
+  return Graded{std::move(*boundary), field_options(domain.frame, user, size, growth)};
+}
+
+// Between two slopes the number of quads goes about as 1/slope.
+double affordable_growth(double gentle_quads, double steep_quads) {
+  const double share = spare_quads / (gentle_quads - steep_quads);
+  if (!(share < 1)) return gentle_growth;
+  if (share < least_share) return steep_growth;
+  return 1 / (1 / steep_growth + share * (1 / gentle_growth - 1 / steep_growth));
+}
+
+Result<Graded> grade_as_affordable(const Domain& domain, const Options& options,
+                                   const UserFields& user, double size) {
+  auto gentle = grade(domain, options, user, size, gentle_growth, most_gentle_nodes);
+  double gentle_quads = std::numeric_limits<double>::infinity();
+  if (gentle) {
+    const auto quads = estimate_quads(gentle->boundary, gentle->fields);
+    if (!quads) return quads.error();
+    if (*quads <= spare_quads) return gentle;
+    gentle_quads = *quads;
+  } else if (gentle.error().code != ErrorCode::too_many_elements) {
+    return gentle;
+  }
+  auto steep = grade(domain, options, user, size, steep_growth);
+  if (!steep) return steep;
+  const auto quads = estimate_quads(steep->boundary, steep->fields);
+  if (!quads) return quads.error();
+  const double growth = affordable_growth(gentle_quads, *quads);
+  if (growth == gentle_growth) return gentle;
+  if (growth == steep_growth) return steep;
+  return grade(domain, options, user, size, growth);
 }
 
 Result<bool> judge_seeds(const std::vector<Vec2>& seeds) {
@@ -134,6 +191,8 @@ Result<Preparation> prepare(const DomainInput& input, const Options& options,
     return size_error("The mesh size must be a positive finite number, or 0 for the domain's own.");
   if (const auto ranges = check_ranges(options); !ranges) return ranges.error();
 
+  if (options.growth > 0 && options.growth < least_growth)
+    return Error{ErrorCode::bad_option, "The growth of sizes must be 0 or at least 0.01.", {}};
   const UserFields given = with_those_of(input, user);
   if (const auto finite = judge_seeds(given.seeds); !finite) return finite.error();
 
@@ -144,13 +203,12 @@ Result<Preparation> prepare(const DomainInput& input, const Options& options,
 
   const auto size = judge_size(prepared.domain, options);
   if (!size) return size.error();
-  auto boundary =
-      sample_boundary(prepared.domain, boundary_options(prepared.domain, options, *size));
-  if (!boundary) return boundary.error();
-  prepared.boundary = std::move(*boundary);
-
   const UnitFrame& frame = prepared.domain.frame;
-  auto fields = make_fields(prepared.boundary, field_options(frame, options, given, *size));
+  auto graded = options.growth > 0 ? grade(prepared.domain, options, given, *size, options.growth)
+                                   : grade_as_affordable(prepared.domain, options, given, *size);
+  if (!graded) return in_world(graded.error(), frame);
+  prepared.boundary = std::move(graded->boundary);
+  auto fields = make_fields(prepared.boundary, graded->fields);
   if (!fields) return in_world(fields.error(), frame);
   prepared.fields = std::move(*fields);
   for (const Vec2 seed : given.seeds) prepared.seeds.push_back(frame.to_frame(seed));

@@ -23,6 +23,7 @@ namespace lpq {
 namespace {
 
 constexpr double default_quads = 3000;
+constexpr double default_growth = 0.3;
 // Where there is no mesh it is tried again with smaller sizes: first near the faults alone.
 constexpr int most_rounds = 8;
 constexpr int local_rounds = 3;
@@ -110,7 +111,7 @@ class SurfaceMesher::Run {
     SurfaceSizeOptions sizes;
     sizes.size = h;
     sizes.largest_turn = options_.turn * pi / 180;
-    sizes.growth = options_.growth;
+    sizes.growth = growth();
     auto size = surface_sizes(surface(), feature_, sizes);
     if (!size) return size.error();
     size_ = std::move(*size);
@@ -187,6 +188,8 @@ class SurfaceMesher::Run {
     return std::nullopt;
   }
 
+  double growth() const { return options_.growth > 0 ? options_.growth : default_growth; }
+
   std::vector<Fault> faults_of(std::vector<ChartFailure>& failures) const {
     std::vector<Fault> faults;
     for (ChartFailure& failure : failures)
@@ -209,7 +212,7 @@ class SurfaceMesher::Run {
   std::optional<Error> try_again(const std::vector<Fault>& faults) {
     Index& round = outcome_.report.rounds;
     if (round == most_rounds ||
-        !make_smaller(surface(), faults, round > local_rounds, options_.growth, size_))
+        !make_smaller(surface(), faults, round > local_rounds, growth(), size_))
       return failed(faults.front());
     ++round;
     stage_ = SurfaceStage::mesh;

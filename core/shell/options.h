@@ -10,7 +10,7 @@ struct SurfaceOptions {
   double feature_angle = 40;
   bool keep_groups = true;
   double turn = 0;
-  double growth = 0.3;
+  double growth = 0;
   double weld = 1e-10;
   Effort effort = Effort::normal;
   std::uint64_t seed = 1;
@@ -31,7 +31,7 @@ void each_field(O& o, F&& visit) {
   visit("turn", o.turn,
         FieldInfo{0, 90, "degrees",
                   "Smaller quads where the surface would turn by more over one; 0 = not asked."});
-  visit("growth", o.growth, FieldInfo{0.01, 10, "", "Largest slope of the size field."});
+  visit("growth", o.growth, FieldInfo{0, 10, "", "Largest slope of the size field; 0 is 0.3."});
   visit("weld", o.weld,
         FieldInfo{0, 0.01, "", "Points nearer than this share of the diagonal become one."});
   visit("effort", o.effort,

@@ -28,7 +28,7 @@ namespace {
 struct Variant {
   const char* name;
   bool cavities = true, patches = true, rounded = true;
-  double size = 0.11;  // Options::size_weight
+  double size = 0.12;  // Options::size_weight
   int smoothing = 300;
   std::vector<PatchPass> passes{{20}, {60}, {200}};
 };

@@ -134,6 +134,42 @@ TEST_CASE("the target size is met") {
   CHECK(outcome->report.size.p90 < 1.35);
 }
 
+TEST_CASE("sizes that differ by twenty keep shapes, and shapes keep sizes") {
+  const DomainInput plate = domain_of({{{0, 0}, {2, 0}, {2, 1}, {0, 1}}});
+  UserFields user;
+  user.sizes = {{{0.4, 0.5}, 0.005}};
+  const auto outcome = mesh_domain(plate, {.size = 0.1}, {}, nullptr, user);
+  REQUIRE(outcome);
+  CHECK(check_output(outcome->mesh).empty());
+  CHECK(outcome->report.quality.eta_mean > 0.91);
+  CHECK(outcome->report.quality.four_valent_percent > 97);
+  CHECK(outcome->report.size.p10 > 0.75);
+  CHECK(outcome->report.size.p90 < 1.35);
+  CHECK(outcome->report.size.min > 0.2);
+}
+
+TEST_CASE("sizes grow gently, but not at any price") {
+  const DomainInput plate = domain_of({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  const auto quads = [&](double finest, double growth) {
+    UserFields user;
+    user.sizes = {{{0.5, 0.5}, finest}};
+    const auto outcome = mesh_domain(plate, {.size = 0.1, .growth = growth}, {}, nullptr, user);
+    REQUIRE(outcome);
+    return outcome->report.quality.quads;
+  };
+  CHECK(quads(0.01, 0) == quads(0.01, 0.08));
+  const Index steep = quads(1e-6, 0.3), chosen = quads(1e-6, 0), gentle = quads(1e-6, 0.08);
+  CHECK(chosen < 0.8 * gentle);
+  CHECK(chosen > steep + 2000);
+  CHECK(chosen < steep + 8000);
+}
+
+TEST_CASE("a growth too small to mean anything is refused") {
+  const auto outcome = mesh_domain(square(1, 0.1), {.growth = 1e-5});
+  REQUIRE(!outcome.has_value());
+  CHECK(outcome.error().code == ErrorCode::bad_option);
+}
+
 TEST_CASE("a caller's size and angle are followed") {
   UserFields user;
   user.size = [](Vec2 p) { return 0.04 + 0.06 * p.x; };
