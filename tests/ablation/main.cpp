@@ -1,6 +1,8 @@
-// lpquad_ablation DOMAIN.json ...: what each step after the matching is worth. Runs the chain on
-// every domain, boundary kept (refined where it cannot be), with steps left out one at a time, and
-// prints the table of the README.
+// lpquad_ablation [--refine N] DOMAIN.json ...: what each step after the matching is worth. Runs
+// the chain on every domain, boundary kept (refined where it cannot be; with --refine everywhere,
+// the size an Nth of the diagonal), with steps left out one at a time, and prints the table of the
+// README.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -114,15 +116,28 @@ void add(const Variant& variant, const Preparation& prepared, Sums& sums) {
   ++sums.domains;
 }
 
-std::vector<Preparation> prepare_all(int count, char** files) {
+double diagonal(const DomainInput& input) {
+  Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
+  for (const auto& region : input.regions)
+    for (const Loop& loop : region.loops)
+      for (const Vec2 p : loop) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      }
+  return length(high - low);
+}
+
+std::vector<Preparation> prepare_all(double refine, int count, char** files) {
   std::vector<Preparation> result;
   for (int i = 0; i < count; ++i) {
     std::ifstream file(files[i], std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     const auto input = parse_domain_json(text);
     if (!input) continue;
-    auto prepared = prepare(*input, {.keep_boundary = true}, {});
-    if (!prepared) prepared = prepare(*input, {}, {});
+    const bool keep = refine == 0;
+    const double size = keep ? 0 : diagonal(*input) / refine;
+    auto prepared = prepare(*input, {.size = size, .keep_boundary = keep}, {});
+    if (!prepared && keep) prepared = prepare(*input, {}, {});
     if (prepared) result.push_back(std::move(*prepared));
   }
   return result;
@@ -131,9 +146,12 @@ std::vector<Preparation> prepare_all(int count, char** files) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<Preparation> domains = prepare_all(argc - 1, argv + 1);
+  const bool refine = argc > 2 && std::string(argv[1]) == "--refine";
+  const int first = refine ? 3 : 1;
+  const std::vector<Preparation> domains =
+      prepare_all(refine ? std::strtod(argv[2], nullptr) : 0, argc - first, argv + first);
   if (domains.empty()) {
-    std::fprintf(stderr, "usage: lpquad_ablation DOMAIN.json ...\n");
+    std::fprintf(stderr, "usage: lpquad_ablation [--refine N] DOMAIN.json ...\n");
     return 2;
   }
   std::printf(
