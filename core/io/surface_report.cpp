@@ -23,6 +23,21 @@ void append_counts(JsonWriter& json, const ShellOutcome& outcome) {
   json.member("hash", hash_text(report.hash));
 }
 
+void append_distance(JsonWriter& json, const SurfaceDistance& distance) {
+  const auto one_way = [&](const char* name, const Distance& way) {
+    json.key(name);
+    json.begin_object();
+    json.member("max", way.max);
+    json.member("mean", way.mean);
+    json.end_object();
+  };
+  json.key("distance");
+  json.begin_object();
+  one_way("toSurface", distance.to_surface);
+  one_way("fromSurface", distance.from_surface);
+  json.end_object();
+}
+
 void append_repairs(JsonWriter& json, const RepairReport& repair) {
   json.key("repairs");
   json.begin_object();
@@ -46,6 +61,16 @@ void append_repairs(JsonWriter& json, const RepairReport& repair) {
 
 }  // namespace
 
+std::string distance_text(const SurfaceDistance& distance) {
+  std::string out;
+  append_row(out, "distance",
+             "to the surface " + short_number(distance.to_surface.max) + " at most, " +
+                 short_number(distance.to_surface.mean) + " in the mean; from it " +
+                 short_number(distance.from_surface.max) + " and " +
+                 short_number(distance.from_surface.mean));
+  return out;
+}
+
 std::string write_surface_report_json(const ShellOutcome& outcome, const SurfaceOptions& options,
                                       const ReportFormat& format) {
   const ShellReport& report = outcome.report;
@@ -57,6 +82,8 @@ std::string write_surface_report_json(const ShellOutcome& outcome, const Surface
   append_quality(json, report.quality);
   json.new_line();
   append_size(json, report.size);
+  json.new_line();
+  append_distance(json, report.distance);
   json.new_line();
   append_repairs(json, report.repair);
   json.new_line();
@@ -71,7 +98,8 @@ std::string write_surface_report_json(const ShellOutcome& outcome, const Surface
 
 std::string surface_report_text(const ShellOutcome& outcome) {
   const ShellReport& report = outcome.report;
-  std::string out = quality_text(report.quality) + size_text(report.size);
+  std::string out =
+      quality_text(report.quality) + size_text(report.size) + distance_text(report.distance);
   append_row(out, "vertices",
              Facts()
                  .count("", static_cast<std::int64_t>(outcome.mesh.points.size()))

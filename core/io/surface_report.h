@@ -8,10 +8,13 @@
 
 namespace lpq {
 
-/// One object: counts, quality, sizes, repairs, options, times and warnings. Members that are in
-/// the report of a domain have the same names here.
+/// One object: counts, quality, sizes, distances, repairs, options, times and warnings. Members
+/// that are in the report of a domain have the same names here.
 std::string write_surface_report_json(const ShellOutcome& outcome, const SurfaceOptions& options,
                                       const ReportFormat& format = {});
+
+/// How far mesh and surface lie apart, as a row of the text.
+std::string distance_text(const SurfaceDistance& distance);
 
 /// A dozen lines for a terminal.
 std::string surface_report_text(const ShellOutcome& outcome);

@@ -247,6 +247,10 @@ class SurfaceMesher::Run {
     }
     if (!faults.empty()) return try_again(faults);
     stage_ = SurfaceStage::done;
+    {
+      const StageTimer timer = timed("distance");
+      report.distance = surface_distance(surface().points, surface().triangles, outcome_.mesh);
+    }
     count_lines();
     find_face_groups();
     report.charts = static_cast<Index>(atlas_.charts.size());

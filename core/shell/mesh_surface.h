@@ -11,6 +11,7 @@
 #include "base/monitor.h"
 #include "base/result.h"
 #include "pipeline/report.h"
+#include "shell/distance.h"
 #include "shell/options.h"
 #include "shell/seams.h"
 #include "shell/shape/shape.h"
@@ -31,6 +32,7 @@ struct ShellReport {
   ShapeStats shape;
   QuadQuality quality;  // in space
   SizeFidelity size;
+  SurfaceDistance distance;
   double target_size = 0;  // the constant one
   std::uint64_t hash = 0;  // of points and faces
   std::vector<StageTime> times;

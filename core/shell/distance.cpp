@@ -1,0 +1,106 @@
+// See distance.h.
+#include "shell/distance.h"
+
+#include <algorithm>
+#include <array>
+
+#include "shell/nearest_triangle.h"
+
+namespace lpq {
+namespace {
+
+/// Points with the areas they stand for.
+struct Samples {
+  std::vector<Vec3> points;
+  std::vector<double> weight;
+};
+
+double area_of(Vec3 a, Vec3 b, Vec3 c) { return 0.5 * length(cross(b - a, c - a)); }
+
+/// The mesh as triangles round the middles of its faces, which follow its own points.
+class Fans {
+ public:
+  explicit Fans(const ShellMesh& mesh) : points(mesh.points) {
+    for (const Face& face : mesh.faces) {
+      const int n = corner_count(face);
+      const auto middle = static_cast<Index>(points.size());
+      Vec3 sum{};
+      for (int k = 0; k < n; ++k) sum += mesh.points[face[k]];
+      points.push_back((1.0 / n) * sum);
+      for (int k = 0; k < n; ++k) triangles.push_back({face[k], face[(k + 1) % n], middle});
+    }
+  }
+
+  /// All points, and the middles of the mesh's edges, by the trapezoidal rule at half steps.
+  Samples samples() const {
+    Samples result{points, std::vector<double>(points.size(), 0)};
+    struct Side {
+      std::array<Index, 2> ends;
+      double weight;
+    };
+    std::vector<Side> sides;
+    for (const auto& [a, b, middle] : triangles) {
+      const double quarter = 0.25 * area_of(points[a], points[b], points[middle]);
+      result.weight[middle] += quarter;
+      result.weight[a] += 0.5 * quarter;
+      result.weight[b] += 0.5 * quarter;
+      sides.push_back({{std::min(a, b), std::max(a, b)}, 2 * quarter});
+    }
+    std::stable_sort(sides.begin(), sides.end(),
+                     [](const Side& s, const Side& t) { return s.ends < t.ends; });
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      if (i > 0 && sides[i].ends == sides[i - 1].ends) {
+        result.weight.back() += sides[i].weight;
+        continue;
+      }
+      result.points.push_back(midpoint(points[sides[i].ends[0]], points[sides[i].ends[1]]));
+      result.weight.push_back(sides[i].weight);
+    }
+    return result;
+  }
+
+  std::vector<Vec3> points;
+  std::vector<Tri> triangles;
+};
+
+Samples vertex_samples(std::span<const Vec3> points, std::span<const Tri> triangles) {
+  std::vector<double> weight(points.size(), 0);
+  std::vector<char> used(points.size(), 0);
+  for (const Tri& t : triangles)
+    for (const Index v : t) {
+      used[v] = 1;
+      weight[v] += area_of(points[t[0]], points[t[1]], points[t[2]]) / 3;
+    }
+  Samples result;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (!used[v]) continue;
+    result.points.push_back(points[v]);
+    result.weight.push_back(weight[v]);
+  }
+  return result;
+}
+
+Distance measure(const Samples& samples, const NearestTriangle& target) {
+  Distance result;
+  double sum = 0, weights = 0;
+  Index hint = 0;
+  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+    const double distance = target.distance(samples.points[i], hint);
+    result.max = std::max(result.max, distance);
+    sum += samples.weight[i] * distance;
+    weights += samples.weight[i];
+  }
+  if (weights > 0) result.mean = sum / weights;
+  return result;
+}
+
+}  // namespace
+
+SurfaceDistance surface_distance(std::span<const Vec3> points, std::span<const Tri> triangles,
+                                 const ShellMesh& mesh) {
+  const Fans fans(mesh);
+  const NearestTriangle surface(points, triangles), faces(fans.points, fans.triangles);
+  return {measure(fans.samples(), surface), measure(vertex_samples(points, triangles), faces)};
+}
+
+}  // namespace lpq

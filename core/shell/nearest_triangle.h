@@ -1,0 +1,52 @@
+// The point of a heap of triangles that is nearest to a given one: a tree of boxes, cut in halves
+// at medians.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/vec3.h"
+#include "mesh/tri_mesh.h"
+
+namespace lpq {
+
+/// The point of a triangle that is nearest to p; triangles without area are edges or points.
+Vec3 nearest_in_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c);
+
+class NearestTriangle {
+ public:
+  /// Points and triangles (at least one) must outlive the tree. Cost O(#T log #T).
+  NearestTriangle(std::span<const Vec3> points, std::span<const Tri> triangles);
+
+  struct Hit {
+    Index triangle = none;
+    Vec3 point;
+    double squared_distance = 0;
+  };
+  /// The nearest triangle, of equally near ones the first. Searches are short where `hint`, any
+  /// triangle, is near already. Cost O(log #T) for surfaces.
+  Hit find(Vec3 p, Index hint = 0) const;
+  double distance(Vec3 p, Index& hint) const;
+
+ private:
+  struct Box {
+    Vec3 low, high;
+  };
+  struct Node {
+    Box box;
+    Index first = 0, count = 0;  // of order_, for leaves
+    Index left = none, right = none;
+  };
+  Index build(Index first, Index last);
+  Box box_of(Index first, Index last) const;
+  static double squared_distance(const Box& box, Vec3 p);
+  void look_at(Vec3 p, Index triangle, Hit& best) const;
+
+  std::span<const Vec3> points_;
+  std::span<const Tri> triangles_;
+  std::vector<Vec3> centre_;  // #T  while building
+  std::vector<Index> order_;  // #T
+  std::vector<Node> nodes_;   // the root last
+};
+
+}  // namespace lpq
