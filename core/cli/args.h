@@ -17,7 +17,7 @@ namespace lpq {
 
 /// What `lpquad mesh` reads and writes. "" = not asked for.
 struct MeshFiles {
-  std::string output, report, stages, svg;
+  std::string output, report, stages, svg, uv;
   MeshWriteOptions write;
   bool quiet = false;
 };
@@ -29,6 +29,8 @@ void each_field(O& o, F&& visit) {
       "The mesh: " + mesh_endings() + "; for several inputs a folder, or a name with {}.";
   visit("output", o.output, FieldInfo{0, 0, "file", output_help.c_str()});
   visit("svg", o.svg, FieldInfo{0, 0, "file", "A picture of the mesh."});
+  visit("uv", o.uv,
+        FieldInfo{0, 0, "file", "The charts of a surface: an .obj with texture coordinates."});
   visit("report", o.report,
         FieldInfo{0, 0, "file",
                   "Counts, quality, energies and times as JSON; on failure the error."});

@@ -114,7 +114,8 @@ class Run {
     std::string text;
     if (args_.inputs.size() > 1) text += files_.input + "\n";
     text += report;
-    for (const std::string* name : {&files_.output, &files_.svg, &files_.report, &files_.stages}) {
+    for (const std::string* name :
+         {&files_.output, &files_.svg, &files_.uv, &files_.report, &files_.stages}) {
       if (!name->empty()) text += "wrote         " + *name + "\n";
     }
     streams_.out(text);

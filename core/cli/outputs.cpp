@@ -32,7 +32,7 @@ std::string expand(std::string pattern, const std::string& stem) {
 std::string first_repeated(const std::vector<RunFiles>& runs) {
   std::vector<std::string> names;
   for (const RunFiles& run : runs) {
-    for (const std::string* name : {&run.output, &run.report, &run.stages, &run.svg}) {
+    for (const std::string* name : {&run.output, &run.report, &run.stages, &run.svg, &run.uv}) {
       if (!name->empty()) names.push_back(*name);
     }
   }
@@ -50,7 +50,7 @@ std::string first_overwritten(const std::vector<RunFiles>& runs) {
   for (const RunFiles& run : runs) inputs.push_back(plain(run.input));
   std::sort(inputs.begin(), inputs.end());
   for (const RunFiles& run : runs)
-    for (const std::string* name : {&run.output, &run.report, &run.svg})
+    for (const std::string* name : {&run.output, &run.report, &run.svg, &run.uv})
       if (std::binary_search(inputs.begin(), inputs.end(), plain(*name))) return *name;
   return {};
 }
@@ -61,8 +61,9 @@ Result<std::vector<RunFiles>> plan_files(const MeshArgs& args) {
   const MeshFiles& files = args.files;
   if (args.inputs.empty())
     return usage("No input. Give a domain: lpquad mesh DOMAIN.json -o MESH.");
-  if (files.output.empty() && files.report.empty() && files.stages.empty() && files.svg.empty()) {
-    return usage("Nothing to write. Give -o MESH, --svg, --report or --stages.");
+  if (files.output.empty() && files.report.empty() && files.stages.empty() && files.svg.empty() &&
+      files.uv.empty()) {
+    return usage("Nothing to write. Give -o MESH, --svg, --uv, --report or --stages.");
   }
   const std::string output = is_folder(files.output)
                                  ? (std::filesystem::path(files.output) / "{}.obj").string()
@@ -70,8 +71,14 @@ Result<std::vector<RunFiles>> plan_files(const MeshArgs& args) {
   std::vector<RunFiles> runs;
   for (const std::string& input : args.inputs) {
     const std::string stem = file_stem(input);
-    RunFiles run{input, expand(output, stem), expand(files.report, stem),
-                 expand(files.stages, stem), expand(files.svg, stem)};
+    RunFiles run{input,
+                 expand(output, stem),
+                 expand(files.report, stem),
+                 expand(files.stages, stem),
+                 expand(files.svg, stem),
+                 expand(files.uv, stem)};
+    if (!run.uv.empty() && mesh_format(run.uv) != MeshFormat::obj)
+      return usage("'" + run.uv + "' must end in .obj: --uv writes texture coordinates.");
     if (!run.output.empty()) {
       const auto format = mesh_format(run.output);
       if (!format) {

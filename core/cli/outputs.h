@@ -12,8 +12,8 @@ namespace lpq {
 
 struct RunFiles {
   std::string input;
-  std::string output, report, stages, svg;  // "" = not asked for
-  MeshFormat format = MeshFormat::obj;      // of `output`
+  std::string output, report, stages, svg, uv;  // "" = not asked for
+  MeshFormat format = MeshFormat::obj;          // of `output`
 };
 
 /// One entry per input. `{}` in a name becomes the input's name without folder and ending; an

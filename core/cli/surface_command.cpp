@@ -2,6 +2,7 @@
 #include "cli/surface_command.h"
 
 #include "cli/files.h"
+#include "io/atlas.h"
 #include "io/surface/surface_format.h"
 #include "io/surface_report.h"
 #include "shell/mesh_surface.h"
@@ -38,7 +39,10 @@ std::optional<Error> misplaced_option(const RunFiles& files, const MeshArgs& arg
     if (!is_surface && of_surface && !of_domain)
       return usage("Option " + flag + " is for surfaces; this is a domain in the plane.");
   }
-  return is_surface ? unwritable(files, args) : std::nullopt;
+  if (is_surface) return unwritable(files, args);
+  if (!files.uv.empty())
+    return usage("Option --uv is for surfaces; this is a domain in the plane.");
+  return std::nullopt;
 }
 
 Result<std::string> mesh_surface_file(const RunFiles& files, const MeshArgs& args,
@@ -50,6 +54,10 @@ Result<std::string> mesh_surface_file(const RunFiles& files, const MeshArgs& arg
   if (!files.output.empty()) {
     const auto written = write_file(
         files.output, write_mesh(shell_output(*outcome), files.format, args.files.write));
+    if (!written) return written.error();
+  }
+  if (!files.uv.empty()) {
+    const auto written = write_file(files.uv, write_atlas_obj(*outcome));
     if (!written) return written.error();
   }
   if (!files.report.empty()) {

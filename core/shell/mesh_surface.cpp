@@ -57,10 +57,10 @@ class SurfaceMesher::Run {
   const SurfaceFeatures& features() const { return features_; }
   std::span<const double> sizes() const { return size_; }
   const SurfaceCrossField& cross_field() const { return cross_; }
-  const Atlas& atlas() const { return atlas_; }
+  const Atlas& atlas() const { return outcome_.atlas; }
   Index charts_meshed() const {
     if (charts_) return charts_->chart();
-    return stage_ > SurfaceStage::mesh ? static_cast<Index>(atlas_.charts.size()) : 0;
+    return stage_ > SurfaceStage::mesh ? static_cast<Index>(outcome_.atlas.charts.size()) : 0;
   }
   const ShellMesh& mesh() const { return charts_ ? charts_->result().mesh : outcome_.mesh; }
   const ShellOutcome& outcome() const { return outcome_; }
@@ -136,12 +136,12 @@ class SurfaceMesher::Run {
 
   std::optional<Error> make_atlas() {
     const StageTimer timer = timed("charts");
-    atlas_ = make_charts(surface(), feature_);
+    outcome_.atlas = make_charts(surface(), feature_);
     lines_ = features_;
     std::vector<char> line(feature_.size());
     for (Index e = 0; e < static_cast<Index>(line.size()); ++e) {
       FeatureKind& kind = lines_.kind[lines_.edges.edge_of[e]];
-      if (atlas_.cut[e] && kind == FeatureKind::smooth) kind = FeatureKind::marked;
+      if (outcome_.atlas.cut[e] && kind == FeatureKind::smooth) kind = FeatureKind::marked;
     }
     for (Index e = 0; e < static_cast<Index>(line.size()); ++e)
       line[e] = lines_.half_edge_is_feature(e);
@@ -153,7 +153,7 @@ class SurfaceMesher::Run {
   }
 
   Charted charted() const {
-    return {surface(), features_, cross_, size_, atlas_, lines_, curves_, nodes_};
+    return {surface(), features_, cross_, size_, outcome_.atlas, lines_, curves_, nodes_};
   }
 
   std::optional<Error> mesh_more() {
@@ -194,7 +194,7 @@ class SurfaceMesher::Run {
     std::vector<Fault> faults;
     for (ChartFailure& failure : failures)
       faults.push_back(
-          {std::move(failure.error), failure.place, atlas_.charts[failure.chart].vertex});
+          {std::move(failure.error), failure.place, outcome_.atlas.charts[failure.chart].vertex});
     return faults;
   }
 
@@ -253,8 +253,8 @@ class SurfaceMesher::Run {
     }
     count_lines();
     find_face_groups();
-    report.charts = static_cast<Index>(atlas_.charts.size());
-    report.chart_counts = atlas_.counts;
+    report.charts = static_cast<Index>(outcome_.atlas.charts.size());
+    report.chart_counts = outcome_.atlas.counts;
     report.singularities = cross_.singularities;
     report.quality = shell_quality(outcome_.mesh);
     report.size = shell_size_fidelity(outcome_.mesh, surface().triangles, size_);
@@ -311,7 +311,6 @@ class SurfaceMesher::Run {
   std::vector<char> feature_;  // #half-edges
   std::vector<double> size_;   // #V
   SurfaceCrossField cross_;
-  Atlas atlas_;
   SurfaceCurves curves_;
   CurveMesh nodes_;
   PlaneMeshes made_;

@@ -16,6 +16,7 @@
 #include "shell/seams.h"
 #include "shell/shape/shape.h"
 #include "shell/shell_mesh.h"
+#include "surface/charts/charts.h"
 #include "surface/repair.h"
 #include "surface/soup.h"
 
@@ -43,6 +44,7 @@ struct ShellOutcome {
   SurfaceMesh surface;  // as repaired
   ShellMesh mesh;
   std::vector<std::string> group_names;  // of surface.group
+  Atlas atlas;                           // how the surface was cut and mapped
   std::vector<Index> face_group;         // group of each face of the surface; none: of several
   ShellReport report;
 };

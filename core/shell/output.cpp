@@ -100,6 +100,8 @@ class CurveWalk {
   Csr<Index> edges_at_;       // #V
 };
 
+}  // namespace
+
 std::vector<std::string> face_names(const ShellOutcome& outcome) {
   std::vector<Index> faces_of_group(outcome.group_names.size(), 0);
   for (const Index group : outcome.face_group)
@@ -113,8 +115,6 @@ std::vector<std::string> face_names(const ShellOutcome& outcome) {
   }
   return names;
 }
-
-}  // namespace
 
 OutputMesh shell_output(const ShellOutcome& outcome) {
   const ShellMesh& mesh = outcome.mesh;

@@ -99,6 +99,28 @@ TEST_CASE("the report of a surface counts repairs and repeats itself") {
   CHECK(file_text(folder / "1.obj") == file_text(folder / "2.obj"));
 }
 
+TEST_CASE("the charts of a surface are written on request") {
+  const ScratchFolder folder("surface_uv");
+  const std::string box = folder.write("box.stl", box_stl());
+  const auto made = run({"mesh", box, "--uv", folder / "{}.uv.obj", "--size", "0.5"});
+  INFO(made.err);
+  REQUIRE(made.code == 0);
+  CHECK(contains(made.out, "box.uv.obj"));
+  const std::string atlas = file_text(folder / "box.uv.obj");
+  CHECK(contains(atlas, "\nvt 0."));
+  CHECK(contains(atlas, "\ng box_face_1 chart_1\nf "));
+  const auto refused = [&](std::vector<std::string> args) {
+    const auto result = run(args);
+    CHECK(result.code == 2);
+    return result.err;
+  };
+  CHECK(contains(refused({"mesh", domains + "/square.json", "--uv", folder / "x.obj"}),
+                 "Option --uv is for surfaces"));
+  CHECK(contains(refused({"mesh", box, "--uv", folder / "x.msh"}), "must end in .obj"));
+  CHECK(contains(refused({"mesh", box, "--uv", folder / "x.obj", "-o", folder / "x.obj"}),
+                 "written twice"));
+}
+
 TEST_CASE("what surfaces do not have is refused in words") {
   const ScratchFolder folder("surface_refused");
   const std::string box = folder.write("box.stl", box_stl());

@@ -1,0 +1,59 @@
+#include "surface/charts/layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace lpq {
+namespace {
+
+constexpr double gap_share = 1.0 / 400;  // of the side of a square with the boxes' area
+constexpr double row_share = 1.05;       // of the same, for what rows leave free
+
+struct ChartBox {
+  Vec2 low, size;
+};
+
+ChartBox box_of(const Chart& chart) {
+  Vec2 low = chart.plane.points[0], high = low;
+  for (const Vec2 p : chart.plane.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return {low, high - low};
+}
+
+}  // namespace
+
+AtlasLayout lay_out(std::span<const Chart> charts) {
+  std::vector<ChartBox> boxes;
+  double area = 0, width = 0;
+  for (const Chart& chart : charts) {
+    boxes.push_back(box_of(chart));
+    area += boxes.back().size.x * boxes.back().size.y;
+    width = std::max(width, boxes.back().size.x);
+  }
+  const double gap = gap_share * std::sqrt(area);
+  width = std::max(width, row_share * std::sqrt(area)) + 2 * gap;
+  std::vector<Index> order(charts.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return boxes[a].size.y > boxes[b].size.y; });
+  AtlasLayout layout{std::vector<Vec2>(charts.size()), width};
+  Vec2 at{gap, gap};
+  double row_height = 0;
+  for (const Index c : order) {
+    if (at.x > gap && at.x + boxes[c].size.x + gap > width) {
+      at = {gap, at.y + row_height + gap};
+      row_height = 0;
+    }
+    layout.shift[c] = at - boxes[c].low;
+    row_height = std::max(row_height, boxes[c].size.y);
+    at.x += boxes[c].size.x + gap;
+  }
+  layout.side = std::max(width, at.y + row_height + gap);
+  if (!(layout.side > 0)) layout.side = 1;  // nothing has an area
+  return layout;
+}
+
+}  // namespace lpq
