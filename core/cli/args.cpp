@@ -169,11 +169,24 @@ Result<MeshArgs> parse_mesh_args(std::span<const std::string_view> args) {
   return result;
 }
 
-Result<CheckArgs> parse_check_args(std::span<const std::string_view> args) {
-  CheckArgs result;
+namespace {
+
+template <class Args>
+Result<Args> parse_plain(std::span<const std::string_view> args) {
+  Args result;
   const auto parsed = ArgParser(args).parse(result.inputs, result.help, result.files);
   if (!parsed) return parsed.error();
   return result;
+}
+
+}  // namespace
+
+Result<CheckArgs> parse_check_args(std::span<const std::string_view> args) {
+  return parse_plain<CheckArgs>(args);
+}
+
+Result<ConvertArgs> parse_convert_args(std::span<const std::string_view> args) {
+  return parse_plain<ConvertArgs>(args);
 }
 
 }  // namespace lpq

@@ -40,7 +40,7 @@ void each_field(O& o, F&& visit) {
 }
 
 struct CheckFiles {
-  std::string domain;
+  std::string domain, surface;
   bool quiet = false;
 };
 
@@ -50,8 +50,37 @@ void each_field(O& o, F&& visit) {
   visit(
       "domain", o.domain,
       FieldInfo{0, 0, "file", "The domain it should be a mesh of: its boundary is compared too."});
+  visit("surface", o.surface,
+        FieldInfo{0, 0, "file",
+                  "The surface it should be a mesh of: topology and distances are compared."});
   visit("quiet", o.quiet, FieldInfo{0, 0, "", "Print nothing but errors."});
 }
+
+/// What `lpquad convert` reads and writes.
+struct ConvertFiles {
+  std::string output;
+  double size = 0;
+  double weld = SurfaceOptions{}.weld;
+  bool quiet = false;
+};
+
+template <class O, class F>
+requires std::is_same_v<std::remove_const_t<O>, ConvertFiles>
+void each_field(O& o, F&& visit) {
+  visit("output", o.output, FieldInfo{0, 0, "file", "The triangles: .obj, groups kept."});
+  visit("size", o.size,
+        FieldInfo{0, 1e300, "length",
+                  "Of the quads to come: triangles of CAD files are fine enough for it."});
+  visit("weld", o.weld,
+        FieldInfo{0, 0.01, "", "Points nearer than this share of the diagonal become one."});
+  visit("quiet", o.quiet, FieldInfo{0, 0, "", "Print nothing but errors."});
+}
+
+struct ConvertArgs {
+  std::vector<std::string> inputs;
+  ConvertFiles files;
+  bool help = false;
+};
 
 struct MeshArgs {
   std::vector<std::string> inputs;
@@ -87,5 +116,6 @@ bool has_option(const Table& table, std::string_view flag) {
 /// option does not exist.
 Result<MeshArgs> parse_mesh_args(std::span<const std::string_view> args);
 Result<CheckArgs> parse_check_args(std::span<const std::string_view> args);
+Result<ConvertArgs> parse_convert_args(std::span<const std::string_view> args);
 
 }  // namespace lpq

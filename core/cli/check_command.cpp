@@ -1,7 +1,9 @@
 // `lpquad check`: is a mesh file valid, and how good is it?
 #include <algorithm>
+#include <optional>
 
 #include "cli/args.h"
+#include "cli/check_surface.h"
 #include "cli/commands.h"
 #include "cli/expected_boundary.h"
 #include "cli/files.h"
@@ -22,7 +24,10 @@ Result<OutputMesh> load_mesh(const std::string& name) {
   }
   const auto text = read_file(name);
   if (!text) return text.error();
-  return read_mesh(*text, *format);
+  auto in_plane = read_mesh(*text, *format);
+  if (in_plane) return in_plane;
+  auto in_space = read_mesh(*text, *format, MeshScope::space);
+  return in_space && in_space->in_space() ? in_space : in_plane;
 }
 
 Result<Domain> load_domain(const std::string& name) {
@@ -61,9 +66,14 @@ std::string match_text(const BoundaryMatch& match) {
   return text + "\n";
 }
 
-/// The verdict on one mesh; `domain` is null where only the mesh itself is judged.
-int judge(const std::string& name, const OutputMesh& mesh, const Domain* domain, bool quiet,
-          const CliStreams& streams) {
+int invalid(const std::string& name, const std::string& violations, const CliStreams& streams) {
+  streams.err("'" + name + "' is not a valid mesh:\n" + violations);
+  return exit_invalid;
+}
+
+/// The verdict on a mesh in the plane; `domain` is null where only the mesh itself is judged.
+int judge_plane(const std::string& name, const OutputMesh& mesh, const Domain* domain, bool quiet,
+                const CliStreams& streams) {
   QuadMesh plain = plain_mesh(mesh);
   std::string text = quality_text(quad_quality(plain));
   std::vector<std::array<Index, 2>> outline;
@@ -83,10 +93,64 @@ int judge(const std::string& name, const OutputMesh& mesh, const Domain* domain,
   const std::vector<Violation> violations = validate(plain, {outline});
   if (!quiet) streams.out(name + "\n" + text + (violations.empty() ? "valid         yes\n" : ""));
   if (violations.empty()) return exit_done;
-  std::string verdict = "'" + name + "' is not a valid mesh:\n";
-  for (const Violation& violation : violations) verdict += violation_text(violation);
-  streams.err(verdict);
-  return exit_invalid;
+  std::string lines;
+  for (const Violation& violation : violations) lines += violation_text(violation);
+  return invalid(name, lines, streams);
+}
+
+int judge_in_space(const std::string& name, const OutputMesh& mesh, const SurfaceMesh* surface,
+                   bool quiet, const CliStreams& streams) {
+  const ShellVerdict verdict = judge_shell(mesh, surface);
+  const bool valid = verdict.violations.empty();
+  if (!quiet) streams.out(name + "\n" + verdict.text + (valid ? "valid         yes\n" : ""));
+  return valid ? exit_done : invalid(name, verdict.violations, streams);
+}
+
+/// What the meshes are compared with.
+struct References {
+  std::optional<Domain> domain;
+  std::optional<SurfaceMesh> surface;
+};
+
+int judge(const std::string& name, const References& wanted, bool quiet,
+          const CliStreams& streams) {
+  const auto mesh = load_mesh(name);
+  if (!mesh) {
+    print_error(streams, name, mesh.error());
+    return exit_bad_input;
+  }
+  if (wanted.surface) return judge_in_space(name, *mesh, &*wanted.surface, quiet, streams);
+  if (!mesh->in_space())
+    return judge_plane(name, *mesh, wanted.domain ? &*wanted.domain : nullptr, quiet, streams);
+  if (!wanted.domain) return judge_in_space(name, *mesh, nullptr, quiet, streams);
+  const Error in_space{
+      ErrorCode::bad_option, "The mesh does not lie in the plane: compare it with --surface.", {}};
+  print_error(streams, name, in_space);
+  return exit_bad_input;
+}
+
+/// False, with the error printed, where one cannot be read.
+bool load_references(const CheckFiles& files, const CliStreams& streams, References& wanted) {
+  const auto load = [&](const std::string& name, auto&& loader, auto& target) {
+    if (name.empty()) return true;
+    auto loaded = loader(name);
+    if (loaded) {
+      target = std::move(*loaded);
+    } else {
+      print_error(streams, name, loaded.error());
+    }
+    return loaded.has_value();
+  };
+  return load(files.domain, load_domain, wanted.domain) &&
+         load(files.surface, load_surface, wanted.surface);
+}
+
+std::optional<Error> misuse(const CheckArgs& args) {
+  if (args.inputs.empty())
+    return Error{ErrorCode::bad_option, "No mesh given: lpquad check MESH.", {}};
+  if (!args.files.domain.empty() && !args.files.surface.empty())
+    return Error{ErrorCode::bad_option, "Give --domain or --surface, not both.", {}};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -97,31 +161,16 @@ int check_command(std::span<const std::string_view> args, const CliStreams& stre
     streams.out(check_help());
     return exit_done;
   }
-  if (!parsed || parsed->inputs.empty()) {
-    const Error none_given{ErrorCode::bad_option, "No mesh given: lpquad check MESH.", {}};
-    print_error(streams, {}, parsed ? none_given : parsed.error());
+  const std::optional<Error> wrong = parsed ? misuse(*parsed) : parsed.error();
+  if (wrong) {
+    print_error(streams, {}, *wrong);
     return exit_usage;
   }
-  Domain domain;
-  if (!parsed->files.domain.empty()) {
-    auto loaded = load_domain(parsed->files.domain);
-    if (!loaded) {
-      print_error(streams, parsed->files.domain, loaded.error());
-      return exit_bad_input;
-    }
-    domain = std::move(*loaded);
-  }
+  References wanted;
+  if (!load_references(parsed->files, streams, wanted)) return exit_bad_input;
   int worst = exit_done;
-  for (const std::string& name : parsed->inputs) {
-    const auto mesh = load_mesh(name);
-    if (!mesh) {
-      print_error(streams, name, mesh.error());
-      worst = std::max<int>(worst, exit_bad_input);
-      continue;
-    }
-    const Domain* wanted = parsed->files.domain.empty() ? nullptr : &domain;
-    worst = std::max(worst, judge(name, *mesh, wanted, parsed->files.quiet, streams));
-  }
+  for (const std::string& name : parsed->inputs)
+    worst = std::max(worst, judge(name, wanted, parsed->files.quiet, streams));
   return worst;
 }
 

@@ -33,6 +33,7 @@ namespace {
 int dispatch(std::span<const std::string_view> args, const CliStreams& streams) {
   const std::string_view command = args.empty() ? "" : args[0];
   if (command == "mesh") return mesh_command(args.subspan(1), streams);
+  if (command == "convert") return convert_command(args.subspan(1), streams);
   if (command == "check") return check_command(args.subspan(1), streams);
   if (command == "--version") {
     streams.out(version_text());
@@ -47,7 +48,7 @@ int dispatch(std::span<const std::string_view> args, const CliStreams& streams) 
     return exit_usage;
   }
   std::string message = "There is no command '" + std::string(command) + "'.";
-  const std::array<std::string, 4> commands{"mesh", "check", "--help", "--version"};
+  const std::array<std::string, 5> commands{"mesh", "check", "convert", "--help", "--version"};
   const std::string nearest = nearest_name(command, commands);
   message += nearest.empty() ? " See lpquad --help." : " Did you mean '" + nearest + "'?";
   print_error(streams, {}, {ErrorCode::bad_option, message, {}});

@@ -10,6 +10,7 @@
 namespace lpq {
 
 int mesh_command(std::span<const std::string_view> args, const CliStreams& streams);
+int convert_command(std::span<const std::string_view> args, const CliStreams& streams);
 int check_command(std::span<const std::string_view> args, const CliStreams& streams);
 
 /// Prints "error CODE: sentence (place)", with a file's name in front where there is one.

@@ -111,7 +111,8 @@ std::string general_help() {
   return "lpquad - quadrilateral meshes of plane domains and of surfaces\n"
          "\n"
          "  lpquad mesh DOMAIN... -o MESH         mesh domains and surfaces\n"
-         "  lpquad check MESH [--domain DOMAIN]   judge a mesh\n"
+         "  lpquad check MESH [--domain DOMAIN]   judge a mesh; --surface SURFACE in space\n"
+         "  lpquad convert SURFACE -o X.obj       triangles of a surface, repaired\n"
          "  lpquad COMMAND --help                 all options of a command\n"
          "  lpquad --version\n"
          "\n"
@@ -124,9 +125,10 @@ std::string mesh_help() {
       "lpquad mesh DOMAIN... -o MESH [options]\n"
       "\n"
       "Meshes each domain: .json, .geojson, .svg, .poly (Triangle), .msh (Gmsh) or .dxf; and each\n"
-      "surface: .stl, .obj, .off, .ply, or .msh with triangles in space. '-' reads from standard\n"
-      "input. With several inputs the names of output files contain {}, which stands for the\n"
-      "input's name, or -o is a folder.\n"
+      "surface: .stl, .obj, .off, .ply, or .msh with triangles in space; with Node and the package\n"
+      "occt-import-js also .step, .iges and .brep. '-' reads from standard input. With several\n"
+      "inputs the names of output files contain {}, which stands for the input's name, or -o is a\n"
+      "folder.\n"
       "\nFiles\n";
   append_options(out, MeshFiles{}, every_option);
   out += "\nMethod\n";
@@ -140,9 +142,22 @@ std::string check_help() {
       "lpquad check MESH.obj|MESH.msh... [options]\n"
       "\n"
       "Proves with exact arithmetic that every face is strictly convex, that faces meet edge to\n"
-      "edge, and prints the quality. Exit code 0: valid, 1: invalid, 3: cannot be read.\n"
+      "edge, and prints the quality. Of a mesh in space it looks at topology, orientation, "
+      "doubles\n"
+      "and convex corners. Exit code 0: valid, 1: invalid, 3: cannot be read.\n"
       "\n";
   append_options(out, CheckFiles{}, every_option);
+  return out;
+}
+
+std::string convert_help() {
+  std::string out =
+      "lpquad convert SURFACE -o TRIANGLES.obj [options]\n"
+      "\n"
+      "Reads a surface as `lpquad mesh` does, repairs it as that does, and writes its triangles.\n"
+      "With Node and the package occt-import-js it reads .step, .iges and .brep too.\n"
+      "\n";
+  append_options(out, ConvertFiles{}, every_option);
   return out;
 }
 

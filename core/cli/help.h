@@ -8,6 +8,7 @@ namespace lpq {
 std::string general_help();
 std::string mesh_help();
 std::string check_help();
+std::string convert_help();
 std::string version_text();
 
 }  // namespace lpq

@@ -11,6 +11,7 @@
 #include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/surface_command.h"
+#include "cli/surface_input.h"
 #include "io/domain/domain_format.h"
 #include "io/error_text.h"
 #include "io/picture/svg.h"
@@ -42,9 +43,9 @@ class Run {
       : files_(files), args_(args), streams_(streams) {}
 
   int operator()() {
-    const auto text = read_file(files_.input);
+    const auto text = read_input(files_.input, args_.surface_options.size);
     if (!text) return fail(text.error(), exit_bad_input);
-    const bool is_surface = is_surface_file(files_.input, *text);
+    const bool is_surface = is_cad_file(files_.input) || is_surface_file(files_.input, *text);
     if (const auto wrong = misplaced_option(files_, args_, is_surface)) return fail(*wrong);
     return is_surface ? surface(*text) : domain(*text);
   }

@@ -1,6 +1,7 @@
 // See mesh_text.h.
 #include "io/mesh_text.h"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "io/number.h"
@@ -48,12 +49,15 @@ void drop_unused_points(OutputMesh& mesh) {
   for (const Face& face : mesh.faces)
     for (int k = 0; k < corner_count(face); ++k) number[face[k]] = 0;
   std::vector<Vec2> points;
+  std::vector<double> z;
   for (std::size_t v = 0; v < number.size(); ++v) {
     if (number[v] == none) continue;
     number[v] = static_cast<Index>(points.size());
     points.push_back(mesh.points[v]);
+    if (mesh.in_space()) z.push_back(mesh.z[v]);
   }
   mesh.points = std::move(points);
+  mesh.z = std::move(z);
   for (Face& face : mesh.faces)
     for (int k = 0, n = corner_count(face); k < n; ++k) face[k] = number[face[k]];
   std::vector<OutputEdge> edges;
@@ -69,6 +73,10 @@ void drop_unused_points(OutputMesh& mesh) {
     if (point.point != none) tagged.push_back(point);
   }
   mesh.tagged_points = std::move(tagged);
+}
+
+void drop_flat_heights(OutputMesh& mesh) {
+  if (std::all_of(mesh.z.begin(), mesh.z.end(), [](double z) { return z == 0; })) mesh.z = {};
 }
 
 std::string region_label(const OutputMesh& mesh, Index region) {

@@ -10,6 +10,9 @@
 
 namespace lpq {
 
+/// What a reader takes: meshes with z = 0, or of any height.
+enum class MeshScope { plane, space };
+
 inline constexpr std::size_t max_names = 10'000;  // groups or physical names read from one file
 
 /// Lines of a text, without their line ends (LF or CRLF) and a leading byte order mark.
@@ -46,6 +49,9 @@ class Words {
 
 /// Renumbers so that every point is a corner of a face; edges and tags of other points vanish.
 void drop_unused_points(OutputMesh& mesh);
+
+/// A mesh of which no point has a height is one in the plane.
+void drop_flat_heights(OutputMesh& mesh);
 
 /// A region's name, or "region 2" (1-based; "domain" if it is the only one) where it has none.
 std::string region_label(const OutputMesh& mesh, Index region);

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "numerics/elementary.h"
-#include "shell/shape/space_energy.h"
+#include "shell/topology.h"
 
 namespace lpq {
 namespace {
@@ -26,9 +26,8 @@ std::vector<Edge> face_edges(const ShellMesh& mesh) {
 }
 
 bool is_bent(const ShellMesh& mesh, const Face& face) {
-  const SpaceQuad p{mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]],
-                    mesh.points[face[3]]};
-  return !is_strictly_convex(p, cross(p[2] - p[0], p[3] - p[1]));
+  return has_reflex_corner(mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]],
+                           mesh.points[face[3]]);
 }
 
 double percentile(std::vector<double>& values, double share) {

@@ -106,9 +106,9 @@ std::string write_mesh(const OutputMesh& mesh, MeshFormat format, const MeshWrit
   return {};
 }
 
-Result<OutputMesh> read_mesh(std::string_view text, MeshFormat format) {
-  if (format == MeshFormat::obj) return read_obj(text);
-  if (format == MeshFormat::msh) return read_msh(text);
+Result<OutputMesh> read_mesh(std::string_view text, MeshFormat format, MeshScope scope) {
+  if (format == MeshFormat::obj) return read_obj(text, scope);
+  if (format == MeshFormat::msh) return read_msh(text, scope);
   return Error{ErrorCode::parse_error, "Only .obj and .msh meshes can be read back.", {}};
 }
 

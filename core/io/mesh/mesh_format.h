@@ -68,6 +68,7 @@ std::string write_mesh(const OutputMesh& mesh, MeshFormat format,
                        const MeshWriteOptions& options = {});
 
 /// .obj and .msh only; the others give a parse_error that says so.
-Result<OutputMesh> read_mesh(std::string_view text, MeshFormat format);
+Result<OutputMesh> read_mesh(std::string_view text, MeshFormat format,
+                             MeshScope scope = MeshScope::plane);
 
 }  // namespace lpq

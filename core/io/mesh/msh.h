@@ -9,6 +9,7 @@
 
 #include "base/fields.h"
 #include "base/result.h"
+#include "io/mesh_text.h"
 #include "mesh/output_mesh.h"
 
 namespace lpq {
@@ -24,8 +25,9 @@ std::string write_msh(const OutputMesh& mesh, MshVersion version = MshVersion::v
 /// Reads nodes, points, lines, triangles and quads with their physical names, versions 2.0 - 2.2
 /// and 4.1, ASCII. Nodes that no face uses are dropped. Elements of other kinds (also second order)
 /// are an error: they would be silently left out. Memory is bounded by the size of the text,
-/// whatever counts it claims. Errors: parse_error with line and byte.
-Result<OutputMesh> read_msh(std::string_view text);
+/// whatever counts it claims. In space any height is taken, and elements of second order are their
+/// corners. Errors: parse_error with line and byte.
+Result<OutputMesh> read_msh(std::string_view text, MeshScope scope = MeshScope::plane);
 
 /// The same without its last two steps: a file of lines alone is good, and every node is kept.
 Result<OutputMesh> read_msh_elements(std::string_view text);

@@ -13,22 +13,22 @@ constexpr std::int64_t type_line = 1, type_triangle = 2, type_quad = 3, type_poi
 constexpr std::int64_t type_triangle_6 = 9, type_quad_9 = 10, type_quad_8 = 16;
 
 /// Corners of the element kinds that are read, 0 for others. Gmsh lists corners first.
-int corners_of(std::int64_t type, MshScope scope) {
+int corners_of(std::int64_t type, MeshScope scope) {
   switch (type) {
     case type_point: return 1;
     case type_line: return 2;
     case type_triangle: return 3;
     case type_quad: return 4;
-    case type_triangle_6: return scope == MshScope::space ? 3 : 0;
+    case type_triangle_6: return scope == MeshScope::space ? 3 : 0;
     case type_quad_8:
-    case type_quad_9: return scope == MshScope::space ? 4 : 0;
+    case type_quad_9: return scope == MeshScope::space ? 4 : 0;
     default: return 0;
   }
 }
 
 class MshParser {
  public:
-  MshParser(std::string_view text, MshScope scope) : lines_(text), scope_(scope) {}
+  MshParser(std::string_view text, MeshScope scope) : lines_(text), scope_(scope) {}
 
   Result<MshContent> parse() {
     while (!lines_.at_end() && !failed_) {
@@ -110,7 +110,7 @@ class MshParser {
         !parse_number(words_[at + 1], p.y) || !parse_number(words_[at + 2], p.z)) {
       return fail("A node needs three finite coordinates.");
     }
-    if (p.z != 0 && scope_ == MshScope::plane)
+    if (p.z != 0 && scope_ == MeshScope::plane)
       fail("A node has z different from 0; only plane meshes can be read.");
   }
 
@@ -237,7 +237,7 @@ class MshParser {
   void add_element(std::int64_t type, std::size_t at, std::int64_t physical, std::int64_t entity) {
     MshElement element;
     element.size = corners_of(type, scope_);
-    if (element.size == 0 && scope_ == MshScope::space) return;
+    if (element.size == 0 && scope_ == MeshScope::space) return;
     if (element.size == 0) {
       return fail("Element type " + std::to_string(type) +
                   " is not a point, line, triangle or quad of first order.");
@@ -269,7 +269,7 @@ class MshParser {
   }
 
   LineReader lines_;
-  MshScope scope_;
+  MeshScope scope_;
   Words words_;
   std::vector<std::int64_t> integers_;
   int version_ = 0;                                  // 2 or 4
@@ -288,7 +288,7 @@ Index MshContent::node_index(std::int64_t tag) const {
   return at == nodes.end() || at->tag != tag ? none : static_cast<Index>(at - nodes.begin());
 }
 
-Result<MshContent> parse_msh(std::string_view text, MshScope scope) {
+Result<MshContent> parse_msh(std::string_view text, MeshScope scope) {
   return MshParser(text, scope).parse();
 }
 

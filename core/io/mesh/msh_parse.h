@@ -10,6 +10,7 @@
 
 #include "base/result.h"
 #include "geometry/vec3.h"
+#include "io/mesh_text.h"
 
 namespace lpq {
 
@@ -53,14 +54,12 @@ struct MshContent {
   Index node_index(std::int64_t tag) const;
 };
 
-/// plane: z must be 0, and elements other than points, lines, triangles and quads of first order
-/// are an error, as they would be silently left out. space: any z, triangles and quads of second
-/// order are read as their corners, other kinds (volumes) are passed over.
-enum class MshScope { plane, space };
-
-/// Line by line as Gmsh writes it, versions 2.0 - 2.2 and 4.1, ASCII. Nothing is reserved from the
-/// counts in the file: memory grows only with lines that are really there. Errors: parse_error with
-/// line and byte.
-Result<MshContent> parse_msh(std::string_view text, MshScope scope);
+/// Line by line as Gmsh writes it, versions 2.0 - 2.2 and 4.1, ASCII. In the plane z must be 0, and
+/// elements other than points, lines, triangles and quads of first order are an error, as they
+/// would be silently left out. In space: any z, triangles and quads of second order are read as
+/// their corners, other kinds (volumes) are passed over. Nothing is reserved from the counts in the
+/// file: memory grows only with lines that are really there. Errors: parse_error with line and
+/// byte.
+Result<MshContent> parse_msh(std::string_view text, MeshScope scope);
 
 }  // namespace lpq

@@ -14,7 +14,11 @@ class MshReader {
   explicit MshReader(const MshContent& content) : content_(content) {}
 
   Result<OutputMesh> read() {
-    for (const MshNode& node : content_.nodes) mesh_.points.push_back({node.point.x, node.point.y});
+    for (const MshNode& node : content_.nodes) {
+      mesh_.points.push_back({node.point.x, node.point.y});
+      mesh_.z.push_back(node.point.z);
+    }
+    drop_flat_heights(mesh_);
     for (const MshElement& element : content_.elements) {
       add(element);
       if (failed_) return error_;
@@ -72,8 +76,8 @@ class MshReader {
   Error error_;
 };
 
-Result<OutputMesh> read(std::string_view text, bool needs_faces) {
-  const auto content = parse_msh(text, MshScope::plane);
+Result<OutputMesh> read(std::string_view text, MeshScope scope, bool needs_faces) {
+  const auto content = parse_msh(text, scope);
   if (!content) return content.error();
   auto mesh = MshReader(*content).read();
   if (mesh && mesh->faces.empty() && needs_faces)
@@ -83,12 +87,14 @@ Result<OutputMesh> read(std::string_view text, bool needs_faces) {
 
 }  // namespace
 
-Result<OutputMesh> read_msh(std::string_view text) {
-  auto mesh = read(text, true);
+Result<OutputMesh> read_msh(std::string_view text, MeshScope scope) {
+  auto mesh = read(text, scope, true);
   if (mesh) drop_unused_points(*mesh);
   return mesh;
 }
 
-Result<OutputMesh> read_msh_elements(std::string_view text) { return read(text, false); }
+Result<OutputMesh> read_msh_elements(std::string_view text) {
+  return read(text, MeshScope::plane, false);
+}
 
 }  // namespace lpq

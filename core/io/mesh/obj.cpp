@@ -62,7 +62,7 @@ namespace {
 
 class ObjReader {
  public:
-  explicit ObjReader(std::string_view text) : lines_(text) {}
+  ObjReader(std::string_view text, MeshScope scope) : lines_(text), scope_(scope) {}
 
   Result<OutputMesh> read() {
     while (!lines_.at_end() && !failed_) {
@@ -80,6 +80,7 @@ class ObjReader {
     if (mesh_.faces.empty()) return lines_.error("The file has no face (no line 'f ...').");
     if (mesh_.regions.empty()) mesh_.regions.emplace_back();
     drop_unused_points(mesh_);
+    drop_flat_heights(mesh_);
     return std::move(mesh_);
   }
 
@@ -96,8 +97,10 @@ class ObjReader {
         (words_.size() > 3 && !parse_number(words_[3], z))) {
       return fail("A vertex needs two or three finite numbers: 'v x y 0'.");
     }
-    if (z != 0) return fail("A vertex has z different from 0; only plane meshes can be read.");
+    if (z != 0 && scope_ == MeshScope::plane)
+      return fail("A vertex has z different from 0; only plane meshes can be read.");
     mesh_.points.push_back(p);
+    mesh_.z.push_back(z);
   }
 
   void read_face() {
@@ -130,6 +133,7 @@ class ObjReader {
   }
 
   LineReader lines_;
+  MeshScope scope_;
   Words words_;
   OutputMesh mesh_;
   Index group_ = 0;
@@ -139,6 +143,8 @@ class ObjReader {
 
 }  // namespace
 
-Result<OutputMesh> read_obj(std::string_view text) { return ObjReader(text).read(); }
+Result<OutputMesh> read_obj(std::string_view text, MeshScope scope) {
+  return ObjReader(text, scope).read();
+}
 
 }  // namespace lpq

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/result.h"
+#include "io/mesh_text.h"
 #include "mesh/output_mesh.h"
 #include "mesh/tri_mesh.h"
 
@@ -15,7 +16,8 @@ std::string write_obj(const OutputMesh& mesh);
 std::string write_obj(const TriMesh& mesh);
 
 /// Reads v, f (three or four corners, negative indices, v/vt/vn) and g (regions); other lines are
-/// passed over. Points no face uses are dropped. Errors: parse_error with line and byte.
-Result<OutputMesh> read_obj(std::string_view text);
+/// passed over. Points no face uses are dropped. A height other than 0 is taken in space only.
+/// Errors: parse_error with line and byte.
+Result<OutputMesh> read_obj(std::string_view text, MeshScope scope = MeshScope::plane);
 
 }  // namespace lpq

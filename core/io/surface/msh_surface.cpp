@@ -27,7 +27,7 @@ Error unknown_node(const MshElement& element, std::int64_t tag) {
 }  // namespace
 
 bool has_faces_in_space(std::string_view text) {
-  const auto content = parse_msh(text, MshScope::space);
+  const auto content = parse_msh(text, MeshScope::space);
   if (!content) return false;
   for (const MshElement& element : content->elements) {
     if (element.size < 3) continue;
@@ -40,7 +40,7 @@ bool has_faces_in_space(std::string_view text) {
 }
 
 Result<SurfaceSoup> read_msh_surface(std::string_view text) {
-  const auto content = parse_msh(text, MshScope::space);
+  const auto content = parse_msh(text, MeshScope::space);
   if (!content) return content.error();
   SoupBuilder builder;
   for (const MshNode& node : content->nodes) builder.add_point(node.point);

@@ -1,0 +1,64 @@
+// See surface_input.h.
+#include "cli/surface_input.h"
+
+#include "cli/files.h"
+#include "io/surface/surface_text.h"
+
+#ifdef __EMSCRIPTEN__
+#include <emscripten.h>
+
+#include <cstddef>
+
+// wasm/js/cli.js hands in a reader of CAD files. First it makes the text and tells its length,
+// below zero for a sentence that says what is wrong; then it copies the text.
+EM_JS(double, lpq_cad_load, (const char* bytes, std::size_t length, const char* name, double size),
+      {
+        const from = bytes >>> 0;
+        return Module["cad"].load(HEAPU8.slice(from, from + (length >>> 0)), UTF8ToString(name),
+                                  size);
+      });
+EM_JS(void, lpq_cad_take, (char* to), { HEAPU8.set(Module["cad"].take(), to >>> 0); });
+#endif
+
+namespace lpq {
+namespace {
+
+#ifdef __EMSCRIPTEN__
+Result<std::string> cad_triangles(const std::string& name, double size) {
+  const auto bytes = read_file(name);
+  if (!bytes) return bytes.error();
+  const double length = lpq_cad_load(bytes->data(), bytes->size(), name.c_str(), size);
+  std::string text(static_cast<std::size_t>(length < 0 ? -length : length), ' ');
+  lpq_cad_take(text.data());
+  if (length < 0) return Error{ErrorCode::parse_error, text, {}};
+  return text;
+}
+#else
+Result<std::string> cad_triangles(const std::string& name, double) {
+  const auto bytes = read_file(name);
+  if (!bytes) return bytes.error();
+  const std::string stem = file_stem(name);
+  return Error{ErrorCode::parse_error,
+               "This program does not read CAD files. The one for Node does: npm install lpquad "
+               "occt-import-js, then npx lpquad mesh " +
+                   name + " ..., or npx lpquad convert " + name + " -o " + stem +
+                   ".obj for triangles that this one reads.",
+               {}};
+}
+#endif
+
+}  // namespace
+
+bool is_cad_file(std::string_view name) {
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string_view::npos) return false;
+  for (const char* ending : {"step", "stp", "iges", "igs", "brep", "brp"})
+    if (same_letters(name.substr(dot + 1), ending)) return true;
+  return false;
+}
+
+Result<std::string> read_input(const std::string& name, double size) {
+  return is_cad_file(name) ? cad_triangles(name, size) : read_file(name);
+}
+
+}  // namespace lpq
