@@ -16,8 +16,10 @@ const node = (...args) => spawnSync(process.execPath, args, { encoding: 'utf8', 
 test('the package holds what its package.json names, and nothing else', () => {
   const manifest = JSON.parse(readFileSync(path('package.json')));
   assert.deepEqual(manifest.files, ['dist', 'LICENSE', 'README.md']);
-  for (const kind of ['dependencies', 'peerDependencies', 'optionalDependencies'])
-    assert.equal(manifest[kind], undefined);
+  for (const kind of ['dependencies', 'optionalDependencies']) assert.equal(manifest[kind], undefined);
+  // What reads CAD files has another licence (LGPL): nobody gets it without asking.
+  assert.deepEqual(Object.keys(manifest.peerDependencies), ['occt-import-js']);
+  assert.deepEqual(manifest.peerDependenciesMeta, { 'occt-import-js': { optional: true } });
   assert.equal(node('wasm/package.mjs', '--check').status, 0);
   for (const target of Object.values(manifest.exports).filter((t) => typeof t === 'object')) {
     assert.equal(Object.keys(target)[0], 'types');
@@ -42,13 +44,13 @@ test('no code is made from text, so that strict content security policies hold',
 
 test('the web entries need nothing of Node', () => {
   for (const file of ['index.js', 'inline.js', 'inline-surface.js', 'worker.js', 'worker-entry.js', 'glue.js', 'readers-glue.js',
-    'surface-glue.js', 'load.js', 'api.js', 'session.js', 'handle.js', 'client.js', 'domain.js', 'surface.js', 'fields.js',
+    'surface-glue.js', 'load.js', 'api.js', 'cad.js', 'session.js', 'handle.js', 'client.js', 'domain.js', 'surface.js', 'fields.js',
     'base64.js', 'checks.js', 'errors.js', 'worker-thread.js'])
     assert.doesNotMatch(text(file), /node:|require\(|__dirname|from 'fs'/, file);
 });
 
 test('importing does nothing', () => {
-  const watched = ['index.js', 'inline.js', 'inline-surface.js', 'node.js', 'worker.js', 'worker-node.js']
+  const watched = ['index.js', 'cad.js', 'inline.js', 'inline-surface.js', 'node.js', 'worker.js', 'worker-node.js']
     .map((file) => `await import(${JSON.stringify(dist(file).href)});`).join('');
   const { status, stdout, stderr } = node('--input-type=module', '-e',
     `for (const f of ['compile','instantiate','Module']) WebAssembly[f] = () => { throw new Error(f); };

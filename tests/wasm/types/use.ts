@@ -3,6 +3,8 @@ import { createLpquad, LpquadError } from 'lpquad';
 import type {
   Domain, ErrorCode, Lpquad, Mesh, MeshFormat, MeshOptions, MeshResult, Snapshot, Surface, SurfaceMeshResult, SurfaceSession,
 } from 'lpquad';
+import { isCadFile, readCad } from 'lpquad/cad';
+import type { CadSurface } from 'lpquad/cad';
 import { createLpquad as createInline } from 'lpquad/inline';
 import { createLpquad as createInlineSurface } from 'lpquad/inline-surface';
 import { createLpquadWorker } from 'lpquad/worker';
@@ -146,3 +148,10 @@ export function explain(error: unknown): string {
 }
 
 export const inline: Promise<Lpquad>[] = [createInline(), createInlineSurface()];
+
+export async function cad(factory: () => Promise<import('lpquad/cad').OcctInstance>): Promise<number> {
+  const part: CadSurface = await readCad(bytes, { name: 'part.step', size: 2, unit: 'inch', occt: factory });
+  // @ts-expect-error no such format
+  await readCad(bytes, { format: 'stl' });
+  return isCadFile('part.igs') ? part.triangles.length + part.groupNames.length : 0;
+}

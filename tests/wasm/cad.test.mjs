@@ -1,0 +1,158 @@
+// CAD files through occt-import-js, a package that the user installs: readCad and the command line.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync }
+  from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+
+import { stepBoxes } from './step_boxes.mjs';
+import { dist, path, rejectionOf } from './support.mjs';
+
+const { cadFormats, isCadFile, readCad } = await import(dist('cad.js').href);
+const installed = existsSync(path('node_modules/occt-import-js'));
+const needsOcct = { skip: installed ? false : 'SKIPPED: occt-import-js is not installed (npm ci)' };
+
+const scratch = mkdtempSync(join(tmpdir(), 'lpquad-cad-'));
+after(() => rmSync(scratch, { recursive: true }));
+const file = (name, content) => {
+  writeFileSync(join(scratch, name), content);
+  return join(scratch, name);
+};
+const lpquad = (...args) => spawnSync(process.execPath, [path('dist/cli.js'), ...args], { encoding: 'utf8' });
+
+const boxes = stepBoxes([{ name: 'plate', at: [0, 0, 0], size: [4, 2, 1] },
+  { name: 'block', at: [10, 0, 0], size: [1, 1, 1] }]);
+
+/** Stands for occt-import-js: two triangles per face, one of no face at the end. */
+function fakeOcct(names, calls = []) {
+  const mesh = (name) => ({
+    name, brep_faces: [{ first: 0, last: 1 }, { first: 2, last: 3 }],
+    attributes: { position: { array: [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0] } },
+    index: { array: [0, 1, 2, 0, 2, 3, 2, 1, 0, 3, 2, 0, 0, 1, 3] },
+  });
+  const read = (kind) => (bytes, params) => {
+    calls.push({ kind, bytes, params });
+    return { success: true, meshes: names.map(mesh) };
+  };
+  return { ReadStepFile: read('step'), ReadIgesFile: read('iges'), ReadBrepFile: read('brep') };
+}
+
+test('formats go by endings', () => {
+  assert.deepEqual(cadFormats, ['step', 'iges', 'brep']);
+  for (const name of ['a.step', 'b.STP', 'c.iges', 'd.Igs', 'e.brep', 'f.brp']) assert.ok(isCadFile(name), name);
+  for (const name of ['a.stl', 'step', 'a.step.obj', '']) assert.ok(!isCadFile(name), name);
+});
+
+test('faces of all bodies become groups with names that occur once', async () => {
+  const surface = await readCad('', { format: 'step', occt: fakeOcct(['bolt', 'bolt', '', 'bolt 2']) });
+  assert.equal(surface.points.length, 4 * 12);
+  assert.equal(surface.triangles.length, 4 * 15);
+  assert.deepEqual([...surface.triangles.subarray(15, 18)], [4, 5, 6]);
+  assert.deepEqual([...surface.groups.subarray(0, 6)], [0, 0, 1, 1, 2, 3]);
+  assert.deepEqual(surface.groupNames.slice(0, 4), ['bolt face 1', 'bolt face 2', 'bolt rest', 'bolt 2 face 1']);
+  assert.ok(surface.groupNames.includes('body 3 face 1'));
+  assert.equal(new Set(surface.groupNames).size, 12);
+  assert.deepEqual((await readCad('', { format: 'brep', occt: fakeOcct(['']) })).groupNames,
+    ['face 1', 'face 2', 'rest']);
+});
+
+test('the size says how fine the triangles are', async () => {
+  const calls = [];
+  const occt = fakeOcct([''], calls);
+  await readCad(new Uint8Array([1, 2]), { name: 'x.igs', size: 2, occt: async () => occt });
+  assert.deepEqual(calls.pop(), { kind: 'iges', bytes: new Uint8Array([1, 2]), params: { linearUnit: 'millimeter',
+    linearDeflectionType: 'absolute_value', linearDeflection: 0.01, angularDeflection: 0.2 } });
+  await readCad(new ArrayBuffer(3), { name: 'x.stp', unit: 'inch', occt: Promise.resolve({ default: async () => occt }) });
+  assert.equal(calls.at(-1).bytes.length, 3);
+  assert.equal(calls.at(-1).params.linearUnit, 'inch');
+  assert.equal(calls.pop().params.linearDeflectionType, 'bounding_box_ratio');
+  await readCad('', { format: 'brep', size: 2, linearDeflection: 0.5, angularDeflection: 0.1, occt });
+  assert.equal(calls[0].params.linearDeflection, 0.5);
+  assert.equal(calls.pop().params.angularDeflection, 0.1);
+});
+
+test('what cannot be read has a code and a sentence', async () => {
+  const occt = fakeOcct([]);
+  await rejectionOf('BAD_OPTION', readCad('', { name: 'x.stl', occt }));
+  await rejectionOf('BAD_OPTION', readCad('', { occt }));
+  await rejectionOf('EMPTY', readCad('', { format: 'step', occt }));
+  for (const read of [() => ({ success: false }), () => { throw 1234; }])
+    await rejectionOf('PARSE_ERROR', readCad('', { format: 'step', occt: { ReadStepFile: read } }));
+});
+
+test('a STEP file is read by the installed package', needsOcct, async () => {
+  const surface = await readCad(boxes, { name: 'boxes.step' });
+  assert.equal(surface.triangles.length, 3 * 24);
+  assert.deepEqual(surface.groupNames, ['plate', 'block'].flatMap((body) =>
+    [1, 2, 3, 4, 5, 6].map((number) => `${body} face ${number}`)));
+  assert.equal(Math.max(...surface.points), 11);
+  await rejectionOf('PARSE_ERROR', readCad('no STEP file', { format: 'step' }));
+});
+
+test('npx lpquad meshes a STEP file, its faces kept', needsOcct, () => {
+  const part = file('boxes.step', boxes);
+  const mesh = join(scratch, 'boxes.obj');
+  const { status, stdout, stderr } = lpquad('mesh', part, '-o', mesh, '--size', '0.5');
+  assert.equal(status, 0, stderr);
+  assert.match(stdout, /quads 136, triangles 0/);  // 2 (8 x 4 + 8 x 2 + 4 x 2) + 6 x 4
+  assert.match(stdout, /faces 12, curves 24/);
+  assert.match(readFileSync(mesh, 'utf8'), /^g plate_face_1$/m);
+  const checked = lpquad('check', mesh, '--surface', part);
+  assert.equal(checked.status, 0, checked.stderr);
+  assert.match(checked.stdout, /parts 2, borders 0, Euler number 4/);
+});
+
+test('npx lpquad converts, so that the native program can read it', needsOcct, () => {
+  const out = join(scratch, 'triangles.obj');
+  const { status, stdout, stderr } = lpquad('convert', file('two.stp', boxes), '-o', out);
+  assert.equal(status, 0, stderr);
+  assert.match(stdout, /triangles 24, vertices 16, groups 12, parts 2, border edges 0/);
+  assert.match(readFileSync(out, 'utf8'), /^g block_face_6$/m);
+});
+
+test('broken and missing files are named as they were given', needsOcct, () => {
+  const broken = file('broken.step', 'ISO-10303-21;');
+  const { status, stderr } = lpquad('mesh', broken, '-o', join(scratch, 'x.obj'));
+  assert.equal(status, 3);
+  assert.equal(stderr, `${broken}: error PARSE_ERROR: The file cannot be read as STEP.\n`);
+  const missing = lpquad('mesh', join(scratch, 'missing.igs'), '-o', join(scratch, 'x.obj'));
+  assert.equal(missing.status, 3);
+  assert.match(missing.stderr, /IO_ERROR/);
+});
+
+// A copy of the package in a place of its own, where nothing is beside it.
+test('without occt-import-js a sentence says what to install', () => {
+  const home = join(scratch, 'alone');
+  mkdirSync(home);
+  cpSync(path('dist'), join(home, 'dist'), { recursive: true });
+  writeFileSync(join(home, 'package.json'), '{"type": "module"}');
+  const call = () => spawnSync(process.execPath, [join(home, 'dist/cli.js'), 'mesh', file('alone.step', boxes),
+    '-o', join(scratch, 'alone.obj'), '--size', '1'], { encoding: 'utf8', cwd: home });
+  const { status, stderr } = call();
+  assert.equal(status, 3);
+  assert.match(stderr, /npm install occt-import-js/);
+  const script = `import { readCad } from './dist/cad.js';
+    await readCad('', { format: 'step' }).catch((error) => console.log(error.code, error.message));`;
+  const { stdout } = spawnSync(process.execPath, ['--input-type=module', '-e', script], { encoding: 'utf8', cwd: home });
+  assert.match(stdout, /^IO_ERROR .*npm install occt-import-js/);
+  if (!installed) return;
+  mkdirSync(join(home, 'node_modules'));
+  symlinkSync(path('node_modules/occt-import-js'), join(home, 'node_modules/occt-import-js'));
+  assert.equal(call().status, 0);
+});
+
+// Files of the benchmark data, where it lies beside the project.
+const data = path('../shared/data/step');
+const files = existsSync(data) ? readdirSync(data) : [];
+test('STEP, IGES and BREP files of many programs are meshed',
+  { skip: installed && files.length > 0 ? false : 'SKIPPED: no occt-import-js, or no benchmark data' }, async (t) => {
+    for (const name of files)
+      await t.test(name, () => {
+        const mesh = join(scratch, 'data.obj');
+        const { status, stdout, stderr } = lpquad('mesh', join(data, name), '-o', mesh);
+        assert.equal(status, 0, stderr);
+        assert.match(stdout, /triangles 0\n/);
+      });
+  });

@@ -1,0 +1,131 @@
+// STEP, IGES and BREP files as triangles, by occt-import-js (LGPL-2.1): a package of its own that the
+// user installs and that is loaded only here.
+import { LpquadError } from './errors.js';
+
+const kinds = {
+  step: { read: 'ReadStepFile', endings: ['step', 'stp'] },
+  iges: { read: 'ReadIgesFile', endings: ['iges', 'igs'] },
+  brep: { read: 'ReadBrepFile', endings: ['brep', 'brp'] },
+};
+
+export const cadFormats = Object.freeze(Object.keys(kinds));
+
+const formatOf = (name) => {
+  const ending = /\.([a-z]+)$/i.exec(name)?.[1].toLowerCase();
+  return cadFormats.find((format) => kinds[format].endings.includes(ending));
+};
+
+export const isCadFile = (name) => formatOf(name) !== undefined;
+
+export const occtMissing = 'Reading CAD files needs the package occt-import-js, which is not installed: ' +
+  'npm install occt-import-js.';
+
+const silent = { print: () => {}, printErr: () => {} };
+
+/** An instance, from one, a promise of one, the package's function, or the installed package. */
+async function instanceOf(occt) {
+  const given = await (occt ?? import('occt-import-js').catch((cause) => {
+    throw new LpquadError('IO_ERROR', occtMissing, {}, { cause });
+  }));
+  const factory = given.default ?? given;
+  return typeof factory === 'function' ? factory(silent) : factory;
+}
+
+// Chords may leave the shape by a two-hundredth of a quad's side, where a size is known, and turn by 0.2 rad
+// (31 to a circle): the triangles then bend less than the quads will.
+const chordsPerSize = 200;
+const ratioWithoutSize = 0.0002;  // of the mean of the box's sides, of which a quad has some hundredths
+const angle = 0.2;
+
+const deflection = ({ size, linearDeflection, angularDeflection }) => {
+  const absolute = linearDeflection ?? (size > 0 ? size / chordsPerSize : undefined);
+  return {
+    linearDeflectionType: absolute === undefined ? 'bounding_box_ratio' : 'absolute_value',
+    linearDeflection: absolute ?? ratioWithoutSize,
+    angularDeflection: angularDeflection ?? angle,
+  };
+};
+
+function imported(occt, bytes, format, options) {
+  const params = { linearUnit: options.unit ?? 'millimeter', ...deflection(options) };
+  let result;
+  try {
+    result = occt[kinds[format].read](bytes, params);
+  } catch (cause) {
+    result = { success: false, cause };
+  }
+  if (!result?.success)
+    throw new LpquadError('PARSE_ERROR', `The file cannot be read as ${format.toUpperCase()}.`, {},
+      { cause: result?.cause });
+  return result.meshes.filter((mesh) => mesh.index.array.length > 0);
+}
+
+/** Names of bodies, each once: "bolt", "bolt 2", …; a number where a file of several has no name. */
+function bodyNames(meshes) {
+  const used = new Set();
+  return meshes.map(({ name }, number) => {
+    const plain = name?.trim() || (meshes.length > 1 ? `body ${number + 1}` : '');
+    let unique = plain;
+    for (let count = 2; used.has(unique); ++count) unique = `${plain} ${count}`;
+    used.add(unique);
+    return unique;
+  });
+}
+
+/** Faces of the B-rep as groups of triangles; what no face has is one more. */
+function addBody(surface, body, mesh, at) {
+  const { array } = mesh.index;
+  for (let i = 0; i < array.length; ++i) surface.triangles[3 * at.triangle + i] = array[i] + at.point;
+  surface.points.set(mesh.attributes.position.array, 3 * at.point);
+  const group = (name) => surface.groupNames.push([body, name].filter(Boolean).join(' ')) - 1;
+  let next = 0;
+  const until = (end, name) => {
+    if (end > next) surface.groups.fill(group(name), at.triangle + next, at.triangle + end);
+    next = Math.max(next, end);
+  };
+  mesh.brep_faces.forEach(({ first, last }, number) => {
+    until(first, 'rest');
+    until(last + 1, `face ${number + 1}`);
+  });
+  until(array.length / 3, 'rest');
+  at.point += mesh.attributes.position.array.length / 3;
+  at.triangle += array.length / 3;
+}
+
+/** What readCad does, with an instance at hand. */
+export function readCadWith(occt, bytes, options = {}) {
+  const format = options.format ?? formatOf(options.name ?? '');
+  if (!cadFormats.includes(format))
+    throw new LpquadError('BAD_OPTION', `The format must be one of ${cadFormats.join(', ')}; ` +
+      'give it, or a name that ends in .step, .stp, .iges, .igs, .brep or .brp.');
+  const meshes = imported(occt, bytes, format, options);
+  if (meshes.length === 0) throw new LpquadError('EMPTY', 'The file has no face with an area.');
+  const sum = (count) => meshes.reduce((total, mesh) => total + count(mesh), 0);
+  const triangles = sum((mesh) => mesh.index.array.length / 3);
+  const surface = {
+    points: new Float64Array(sum((mesh) => mesh.attributes.position.array.length)),
+    triangles: new Uint32Array(3 * triangles), groups: new Int32Array(triangles), groupNames: [], warnings: [],
+  };
+  const at = { point: 0, triangle: 0 };
+  const names = bodyNames(meshes);
+  meshes.forEach((mesh, number) => addBody(surface, names[number], mesh, at));
+  return surface;
+}
+
+/** @type {import('./cad.js').readCad} */
+export async function readCad(source, options = {}) {
+  const bytes = source instanceof ArrayBuffer ? new Uint8Array(source)
+    : typeof source === 'string' ? new TextEncoder().encode(source) : source;
+  return readCadWith(await instanceOf(options.occt), bytes, options);
+}
+
+/** The surface as an OBJ file, every digit kept. */
+export function surfaceAsObj({ points, triangles, groups, groupNames }) {
+  const lines = ['# lpquad'];
+  for (let i = 0; i < points.length; i += 3) lines.push(`v ${points[i]} ${points[i + 1]} ${points[i + 2]}`);
+  for (let t = 0; t < groups.length; ++t) {
+    if (t === 0 || groups[t] !== groups[t - 1]) lines.push(`g ${groupNames[groups[t]].replace(/[\s\\#]+/g, ' ')}`);
+    lines.push(`f ${triangles[3 * t] + 1} ${triangles[3 * t + 1] + 1} ${triangles[3 * t + 2] + 1}`);
+  }
+  return `${lines.join('\n')}\n`;
+}
