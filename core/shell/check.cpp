@@ -5,6 +5,7 @@
 
 #include "base/disjoint_sets.h"
 #include "surface/edges.h"
+#include "surface/weld.h"
 
 namespace lpq {
 namespace {
@@ -167,6 +168,22 @@ class ShellCheck {
 std::vector<Violation> check_shell(const SurfaceMesh& surface, const ShellMesh& mesh,
                                    std::size_t limit) {
   return ShellCheck(surface, mesh, limit).run();
+}
+
+std::vector<Violation> check_places(const ShellMesh& mesh, double diagonal, std::size_t limit) {
+  constexpr double one_point = 1e-12;
+  std::vector<Violation> found;
+  const std::vector<char> all(mesh.points.size(), 1);
+  const std::vector<Index> first = weld_points(mesh.points, all, one_point * diagonal);
+  for (Index v = 0; v < static_cast<Index>(first.size()) && found.size() < limit; ++v)
+    if (first[v] != v) found.push_back({"Two vertices lie in one point.", none, v, {}});
+  std::vector<Face> faces = mesh.faces;
+  for (Face& face : faces) std::sort(face.begin(), face.end());
+  std::sort(faces.begin(), faces.end());
+  for (std::size_t f = 1; f < faces.size() && found.size() < limit; ++f)
+    if (faces[f] == faces[f - 1])
+      found.push_back({"Two faces have the same vertices.", none, faces[f][3], {}});
+  return found;
 }
 
 }  // namespace lpq

@@ -16,6 +16,7 @@
 #include "shell/smaller.h"
 #include "surface/components.h"
 #include "surface/corners.h"
+#include "surface/normals.h"
 #include "surface/repair_warnings.h"
 #include "surface/size_field.h"
 
@@ -27,6 +28,9 @@ constexpr double default_growth = 0.3;
 // Where there is no mesh it is tried again with smaller sizes: first near the faults alone.
 constexpr int most_rounds = 8;
 constexpr int local_rounds = 3;
+// A mesh that is only too coarse in places is good enough after so many.
+constexpr int most_doubts = 2;
+constexpr std::size_t most_faults = 100, most_doubtful = 30;  // that a round looks at
 
 }  // namespace
 
@@ -165,10 +169,23 @@ class SurfaceMesher::Run {
     charts_.reset();
     outcome_.mesh = std::move(made.mesh);
     std::vector<Fault> faults = faults_of(made.failures);
-    if (faults.empty()) faults = faults_of(outcome_.mesh);
+    if (faults.empty()) faults = faults_at(check_shell(surface(), outcome_.mesh, most_faults));
     if (!faults.empty()) return try_again(faults);
     stage_ = SurfaceStage::seams;
+    refine_doubts();
     return std::nullopt;
+  }
+
+  /// Another round where the mesh is too coarse, with this one kept.
+  void refine_doubts() {
+    if (doubts_ == most_doubts || outcome_.report.rounds == most_rounds) return;
+    const auto doubts =
+        faults_at(check_places(outcome_.mesh, bounding_diagonal(surface().points), most_doubtful));
+    // Very many: the size is too coarse all over, and that is the caller's wish.
+    if (doubts.empty() || doubts.size() == most_doubtful) return;
+    ++doubts_;
+    kept_ = {outcome_.mesh, size_, curves_, nodes_};
+    (void)try_again(doubts);
   }
 
   std::optional<Error> start_round() {
@@ -198,12 +215,11 @@ class SurfaceMesher::Run {
     return faults;
   }
 
-  std::vector<Fault> faults_of(const ShellMesh& mesh) const {
-    constexpr std::size_t limit = 100;
+  std::vector<Fault> faults_at(const std::vector<Violation>& violations) const {
     std::vector<Fault> faults;
-    for (const Violation& wrong : check_shell(surface(), mesh, limit)) {
+    for (const Violation& wrong : violations) {
       faults.push_back({{ErrorCode::no_valid_mesh, wrong.what, {}}, {}, {}});
-      if (wrong.vertex != none) faults.back().place = mesh.places[wrong.vertex];
+      if (wrong.vertex != none) faults.back().place = outcome_.mesh.places[wrong.vertex];
     }
     return faults;
   }
@@ -213,10 +229,21 @@ class SurfaceMesher::Run {
     Index& round = outcome_.report.rounds;
     if (round == most_rounds ||
         !make_smaller(surface(), faults, round > local_rounds, growth(), size_))
-      return failed(faults.front());
+      return take_kept() ? std::nullopt : std::optional(failed(faults.front()));
     ++round;
     stage_ = SurfaceStage::mesh;
     return std::nullopt;
+  }
+
+  bool take_kept() {
+    if (!kept_) return false;
+    outcome_.mesh = std::move(kept_->mesh);
+    size_ = std::move(kept_->size);
+    curves_ = std::move(kept_->curves);
+    nodes_ = std::move(kept_->nodes);
+    kept_.reset();
+    stage_ = SurfaceStage::seams;
+    return true;
   }
 
   Error failed(const Fault& fault) const {
@@ -243,7 +270,7 @@ class SurfaceMesher::Run {
     std::vector<Fault> faults;
     {
       const StageTimer timer = timed("check");
-      faults = faults_of(outcome_.mesh);
+      faults = faults_at(check_shell(surface(), outcome_.mesh, most_faults));
     }
     if (!faults.empty()) return try_again(faults);
     stage_ = SurfaceStage::done;
@@ -314,6 +341,14 @@ class SurfaceMesher::Run {
   SurfaceCurves curves_;
   CurveMesh nodes_;
   PlaneMeshes made_;
+  struct Kept {
+    ShellMesh mesh;
+    std::vector<double> size;
+    SurfaceCurves curves;
+    CurveMesh nodes;
+  };
+  std::optional<Kept> kept_;            // good enough, while a better one is tried
+  int doubts_ = 0;                      // rounds for meshes that were too coarse in places
   std::optional<ChartsMesher> charts_;  // while they are meshed
 };
 

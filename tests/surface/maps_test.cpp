@@ -208,3 +208,21 @@ TEST_CASE("checks see a flipped triangle and a border that meets itself") {
   CHECK(check.flipped == 0);
   CHECK(check.crossing);
 }
+
+TEST_CASE("checks see a hole that is turned over without any triangle being") {
+  // A triangular hole a, b, c in a square of corners on the axes.
+  const std::vector<Vec3> points{{-0.5, 0, 0}, {0.5, 0, 0}, {0, 0.2, 0}, {0, 2, 0},
+                                 {-2, 0, 0},   {0, -2, 0},  {2, 0, 0}};
+  const std::vector<Tri> triangles{{0, 5, 1}, {3, 0, 2}, {3, 2, 1}, {3, 4, 0},
+                                   {4, 5, 0}, {5, 6, 1}, {6, 3, 1}};
+  const SurfaceMesh frame = SurfaceBuilder().build(points, triangles);
+  const Part part = whole(frame);
+  std::vector<Vec2> uv;
+  for (const Index v : part.vertex) uv.push_back({frame.points[v].x, frame.points[v].y});
+  CHECK(check_map(frame, part, uv).injective());
+  for (std::size_t i = 0; i < uv.size(); ++i)
+    if (part.vertex[i] == 2) uv[i].y = -0.2;
+  const MapCheck check = check_map(frame, part, uv);
+  CHECK(check.flipped == 0);
+  CHECK(check.crossing);
+}

@@ -84,6 +84,21 @@ bool borders_meet(const Part& part, std::span<const Vec2> uv) {
   return found;
 }
 
+/// Where no triangle is turned over and no border edges meet, points are covered as often as the
+/// border winds round them: at most once if one loop alone winds to the left.
+bool covers_twice(const Part& part, std::span<const Vec2> uv) {
+  Index left = 0;
+  for (Index loop = 0; loop < part.loops.rows(); ++loop) {
+    const auto row = part.loops.row(loop);
+    const Vec2 first = uv[part.origin(row[0])];
+    double twice = 0;
+    for (const Index e : row)
+      twice += cross(uv[part.origin(e)] - first, uv[part.target(e)] - first);
+    left += twice > 0;
+  }
+  return left != 1;
+}
+
 /// Of all triangles; adds their areas to `total`.
 std::vector<TriangleLayout> layouts_of(const SurfaceMesh& mesh, const Part& part, double& total) {
   std::vector<TriangleLayout> layouts;
@@ -125,7 +140,7 @@ MapCheck check_map(const SurfaceMesh& mesh, const Part& part, std::span<const Ve
   check.anisotropy = quantile(anisotropies, judged_share);
   const double high = quantile(scales, 1 - tail), low = quantile(scales, tail);
   check.scale_range = high / std::max(low, 1e-300);
-  check.crossing = borders_meet(part, uv);
+  check.crossing = covers_twice(part, uv) || borders_meet(part, uv);
   return check;
 }
 
