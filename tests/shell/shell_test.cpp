@@ -89,6 +89,56 @@ TEST_CASE("closed surfaces are cut, meshed and made whole again") {
   }
 }
 
+TEST_CASE("parts of a surface that meet in a point keep that point") {
+  SurfaceSoup soup = soup_of(sphere(8));
+  const SurfaceSoup ball = soup;
+  const auto top = std::max_element(ball.points.begin(), ball.points.end(),
+                                    [](Vec3 a, Vec3 b) { return a.z < b.z; });
+  const Index shift = static_cast<Index>(ball.points.size());
+  for (const Vec3 p : ball.points) soup.points.push_back({p.x, p.y, 2 * top->z - p.z});
+  for (const auto& [a, b, c] : ball.triangles)
+    soup.triangles.push_back({a + shift, c + shift, b + shift});
+  const ShellOutcome outcome = meshed(soup, {.size = 0.25});
+  CHECK(outcome.report.repair.nonmanifold_vertices == 1);
+  CHECK(std::count(outcome.mesh.points.begin(), outcome.mesh.points.end(), *top) == 1);
+}
+
+TEST_CASE("where a surface is thinner than the mesh size, the size gives way") {
+  for (const double tube : {0.1, 0.03}) {
+    const auto outcome = mesh_surface(soup_of(torus(96, 16, 1, tube)), {.size = 0.5});
+    REQUIRE(outcome.has_value());
+    CHECK(check_shell(outcome->surface, outcome->mesh).empty());
+    CHECK(outcome->report.quality.triangles == 0);
+  }
+}
+
+TEST_CASE("the final check finds what is wrong with a mesh, and where") {
+  const ShellOutcome good = meshed(box_soup({1, 1, 1}, 2), {.size = 0.25});
+  const auto wrong = [&good](const ShellMesh& mesh) {
+    const auto found = check_shell(good.surface, mesh);
+    return !found.empty() && found[0].vertex != none;
+  };
+  ShellMesh twice = good.mesh;
+  twice.faces.push_back(twice.faces[3]);
+  twice.face.push_back(twice.face[3]);
+  CHECK(wrong(twice));
+  ShellMesh turned = good.mesh;
+  std::swap(turned.faces[3][1], turned.faces[3][3]);
+  CHECK(wrong(turned));
+  ShellMesh open = good.mesh;
+  open.faces.pop_back();
+  open.face.pop_back();
+  CHECK(wrong(open));
+  ShellMesh pinched = good.mesh;  // two vertices that no face has both of
+  const Index from = pinched.faces[0][0], to = pinched.faces.back()[0];
+  for (Face& face : pinched.faces) std::replace(face.begin(), face.end(), from, to);
+  CHECK(!check_shell(good.surface, pinched).empty());
+  CHECK(check_places(good.mesh, 1).empty());
+  ShellMesh together = good.mesh;
+  together.points[from] = together.points[to];
+  CHECK(check_places(together, 1).size() == 1);
+}
+
 TEST_CASE("surfaces that cannot be meshed are refused in words") {
   CHECK(mesh_surface({}).error().code == ErrorCode::empty);
   const auto large = mesh_surface(soup_of(plane_square(2)), {.size = 1e-5});
