@@ -190,6 +190,8 @@ class SurfaceMesher::Run {
 
   std::optional<Error> start_round() {
     mark_corners(surface(), size_, FeatureOptions{}.corner_angle, lines_);
+    for (std::size_t v = 0; v < lines_.corner.size(); ++v)
+      lines_.corner[v] = lines_.corner[v] || features_.corner[v];
     curves_ = trace_curves(surface(), lines_);
     auto nodes = mesh_curves(surface(), lines_, curves_, size_);
     if (!nodes) return nodes.error();

@@ -9,7 +9,7 @@ namespace lpq {
 namespace {
 
 // An edge by which opposite sides differ costs a pair of irregular vertices.
-constexpr double price_of_edge = 0.6;
+constexpr double price_of_edge = 0.3;
 // An odd sum cannot stay: it will be made even at the expense of some curve.
 constexpr double price_of_odd = 2;
 constexpr double least_gain = 1e-9;

@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "base/disjoint_sets.h"
+#include "surface/bends.h"
 #include "surface/corners.h"
 #include "surface/sharp_edges.h"
 #include "surface/short_chains.h"
@@ -75,6 +76,7 @@ SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> s
   drop_short_chains(mesh, size, options, features);
   number_faces(mesh, features);
   mark_corners(mesh, size, options.corner_angle, features);
+  mark_bends(mesh, size, options.bend_angle, features);
   return features;
 }
 

@@ -17,6 +17,7 @@ struct FeatureOptions {
   double shortest_loop = 1.5;  // mesh sizes; the same for heaps without loose ends, except rims
   double shortest_stub = 1;    // mesh sizes; shorter side branches with a loose end are noise
   double corner_angle = 40;    // degrees of turn from which a curve has a corner
+  double bend_angle = 70;      // degrees of turn within a mesh size that are a corner, too
   bool groups = true;          // keep the borders between groups of the file
 };
 
@@ -47,7 +48,8 @@ struct SurfaceFeatures {
 /// is too short for the mesh size and touches nothing hard is dropped (but never a plain closed
 /// line of eight edges or more: the rim of a hole). Triangles so flat that their normals are noise
 /// take the normal from across their longest edge. Corners: where other than two features meet,
-/// where a curve turns (both at the vertex and between points half a mesh size away), where the
+/// where a curve turns (both at the vertex and between points half a mesh size away), in the middle
+/// of bends that are smaller than the mesh (see bends.h), where the
 /// faces along a curve change, and where sheets meet in a point only. Faces are connected across
 /// edges that are no features, numbered by first triangle. Cost O(#T log valence).
 SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> size,

@@ -1,8 +1,11 @@
 // Curves and their 1D mesh.
 #include "surface/curves.h"
 
+#include <cmath>
+
 #include "base/rng.h"
 #include "catch.h"
+#include "numerics/elementary.h"
 #include "support/surface_checks.h"
 #include "support/surface_curves.h"
 #include "support/surface_shapes.h"
@@ -41,6 +44,22 @@ Curves curves_by(const SurfaceSoup& soup, Size&& size, FeatureOptions options = 
 Curves curves_of(const SurfaceSoup& soup, double size, FeatureOptions options = {}) {
   return curves_by(
       soup, [size](Vec3) { return size; }, options);
+}
+
+/// A plate with 2 x `width` straight sides and quarters of circles of radius r at its corners.
+SurfaceSoup rounded_plate(double width, double r) {
+  SurfaceSoup soup;
+  constexpr int pieces = 12;
+  soup.points.push_back({});
+  for (int corner = 0; corner < 4; ++corner)
+    for (int k = 0; k <= pieces; ++k) {
+      const double angle = (corner + double(k) / pieces) * (pi / 2);
+      const double x = corner == 1 || corner == 2 ? -width : width, y = corner < 2 ? width : -width;
+      soup.points.push_back({x + r * std::cos(angle), y + r * std::sin(angle), 0});
+    }
+  const auto n = static_cast<Index>(soup.points.size()) - 1;
+  for (Index k = 0; k < n; ++k) soup.triangles.push_back({0, 1 + k, 1 + (k + 1) % n});
+  return soup;
 }
 
 Index edge_count(const Curves& all, Index c) {
@@ -139,6 +158,22 @@ TEST_CASE("both ends of a pipe have as many edges") {
     REQUIRE(pipe.curves.count() == 2);
     CHECK(edge_count(pipe, 0) == edge_count(pipe, 1));
   }
+}
+
+TEST_CASE("bends smaller than the mesh are corners, round lines are not") {
+  for (const double r : {0.1, 0.3, 0.5}) {
+    const auto plate = curves_of(rounded_plate(3, r), 1);
+    REQUIRE(plate.curves.count() == 4);
+    for (Index v = 0; v < plate.mesh.vertex_count(); ++v) {
+      if (!plate.features.corner[v]) continue;  // in the middle of its quarter
+      const Vec3 p = plate.mesh.points[v];
+      CHECK(std::abs(p.x) == Approx(std::abs(p.y)));
+    }
+  }
+  for (const double h : {0.01, 0.2, 0.5, 0.9, 2.0}) {
+    CHECK(curves_of(rounded_plate(1e-9, 1), h).curves.count() == 1);  // a disk
+  }
+  CHECK(curves_of(rounded_plate(3, 2), 1).curves.count() == 1);  // what the mesh can follow
 }
 
 TEST_CASE("a dangling line and a cut have the same face on both sides") {
