@@ -73,8 +73,15 @@ test('the command line has the same options, defaults and help', () => {
   const { status, stdout } = node(path('dist/cli.js'), 'mesh', '--help');
   assert.equal(status, 0);
   const help = stdout.replace(/\s+/g, ' ');
-  for (const option of [...lpquad.options, ...lpquad.surfaceOptions, ...lpquad.writeOptions]) {
-    const flag = `--${option.name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
+  const flagOf = ({ name, default: usual }) =>
+    `--${usual === true ? '[no-]' : ''}${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
+  // What surfaces share with domains is described once, and listed.
+  const isShared = ({ name }) => lpquad.options.some((other) => other.name === name);
+  const shared = help.match(/surfaces know (.*?);/)[1].split(', ');
+  assert.deepEqual(shared.sort(), lpquad.surfaceOptions.filter(isShared).map(flagOf).sort());
+  const own = lpquad.surfaceOptions.filter((option) => !isShared(option));
+  for (const option of [...lpquad.options, ...own, ...lpquad.writeOptions]) {
+    const flag = flagOf(option);
     const at = help.indexOf(`${flag} `);
     assert.ok(at >= 0, flag);
     const entry = help.slice(at, at + 700);

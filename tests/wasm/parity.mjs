@@ -1,6 +1,6 @@
 // The same bytes everywhere: meshes of domains and surfaces, and their reports, from native g++ and clang, from the command line in
 // Node, from the library in Node (SIMD and plain) and in Chromium, compared by SHA-256.
-// usage: node tests/wasm/parity.mjs [shared folder]; ends with "N passed, N failed".
+// usage: node tests/wasm/parity.mjs [shared folder [domain|paper|surface|polygon]]; ends with "N passed, N failed".
 // Needs the presets release and clang (target lpquad_command) and dist/.
 import { spawn } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
@@ -8,9 +8,11 @@ import { basename, join } from 'node:path';
 
 import { browsers, openBrowser } from '../package/browsers.mjs';
 import { serve } from '../package/server.mjs';
-import { createLpquadWorker, dist, path, sha256 } from './support.mjs';
+import { createLpquad, createLpquadWorker, dist, path, sha256 } from './support.mjs';
 
 const shared = process.argv[2] ?? process.env.LPQ_SHARED ?? path('../shared');
+const surfaceQuads = 800;
+const onlyKind = process.argv[3];
 const work = path(`build/parity-${process.pid}`);
 const polygonStride = 2;      // every second polygon
 const nativeSeconds = 2;      // what takes longer is left out
@@ -36,6 +38,7 @@ const run = (command, args, seconds = 120) => new Promise((resolve) => {
   child.on('close', (code) => resolve({ code, text }));
 });
 
+const lpquad = await createLpquad();
 /** The shared files were written by Python, which prints Infinity where JSON has no word for it. */
 const readDomain = (file) => {
   const { loops, h } = JSON.parse(readFileSync(file, 'utf8').replace(/:\s*(-?Infinity|NaN)\b/g, ':null'));
@@ -51,7 +54,18 @@ function diagonal(loops) {
   return Math.sqrt(extent(0) ** 2 + extent(1) ** 2);
 }
 
-function makeCases() {
+/** The size of so many quads, with few digits. */
+function sizeOf(surface, quads) {
+  const { points, triangles } = surface, at = (t, k, i) => points[3 * triangles[3 * t + k] + i];
+  let area = 0;
+  for (let t = 0; t < triangles.length / 3; ++t) {
+    const [u, v] = [1, 2].map((k) => [0, 1, 2].map((i) => at(t, k, i) - at(t, 0, i)));
+    area += Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2;
+  }
+  return Number(Math.sqrt(area / quads).toPrecision(3));
+}
+
+async function makeCases() {
   const cases = [];
   const add = (file, kind, options) => {
     const name = `${kind}-${basename(file, '.json')}`;
@@ -64,11 +78,12 @@ function makeCases() {
   for (const name of ['platehole', 'lshape', 'hood'])
     add(join(shared, `domains/${name}.json`), 'paper', { keepBoundary: true, method: 'paper' });
   for (const file of surfaces) {
-    const name = basename(file);
-    cases.push({ name, kind: 'surface', file: join(shared, 'data', file), options: {} });
+    const name = basename(file), whole = join(shared, 'data', file);
+    const surface = await lpquad.readSurface(readFileSync(whole), { name });
+    cases.push({ name, kind: 'surface', file: whole, options: { size: sizeOf(surface, surfaceQuads) } });
   }
   jsonFiles('data/polygons').filter((_, i) => i % polygonStride === 0).forEach((file) => add(file, 'polygon', {}));
-  return cases;
+  return cases.filter(({ kind }) => onlyKind === undefined || kind === onlyKind);
 }
 
 const flags = (options) => Object.entries(options).flatMap(([name, value]) => {
@@ -143,7 +158,7 @@ async function inChromium(cases) {
 
 mkdirSync(work, { recursive: true });
 process.once('exit', () => rmSync(work, { recursive: true, force: true, maxRetries: 5, retryDelay: 100 }));
-const all = makeCases();
+const all = await makeCases();
 const gcc = [path('build/release/bin/lpquad')], clang = [path('build/clang/bin/lpquad')];
 const command = [process.execPath, path('dist/cli.js')];
 
@@ -163,9 +178,9 @@ console.log(`${cases.length} cases; ${all.length - cases.length} polygons left o
 const ways = { clang: (one) => byCommand(clang, one), 'the command line in Node': (one) => byCommand(command, one) };
 for (const build of ['lpquad', 'lpquad-plain']) {
   const surfaceUrl = dist(`${build.replace('lpquad', 'lpquad-surface')}.wasm`);
-  const lpquad = createLpquadWorker({ wasmUrl: dist(`${build}.wasm`), surfaceUrl });
-  ways[`${build}.wasm in Node`] = (one) => byLibrary(lpquad, one);
-  process.once('exit', () => lpquad.terminate());
+  const remote = createLpquadWorker({ wasmUrl: dist(`${build}.wasm`), surfaceUrl });
+  ways[`${build}.wasm in Node`] = (one) => byLibrary(remote, one);
+  process.once('exit', () => remote.terminate());
 }
 const results = Object.fromEntries(Object.keys(ways).map((way) => [way, {}]));
 async function through(names) {
@@ -184,7 +199,7 @@ function check(what, fault) {
   if (fault) console.log(`FAIL ${what}: ${fault}`);
 }
 const polygons = cases.filter(({ kind }) => kind === 'polygon').length;
-check('enough polygons', polygons >= leastPolygons ? '' : `only ${polygons}`);
+check('enough polygons', onlyKind || polygons >= leastPolygons ? '' : `only ${polygons}`);
 for (const one of cases) {
   check(`${one.name} with g++`, quick(one) ? '' : expected.get(one.name));
   for (const [way, found] of Object.entries(results))
