@@ -164,6 +164,17 @@ void ChartsMesher::note(const Job& job, const Error& error) {
         place_on(job.chart, job.fields, {error.where.x, error.where.y}, hint);
 }
 
+const Mesher* ChartsMesher::plane() const { return job_ ? &*job_->mesher : nullptr; }
+
+std::vector<Vec3> ChartsMesher::lifted(std::span<const Vec2> points) const {
+  std::vector<Vec3> lifted;
+  lifted.reserve(points.size());
+  Index hint = none;
+  for (const Vec2 p : points)
+    lifted.push_back(point_at(charted_.mesh, place_on(job_->chart, job_->fields, p, hint)));
+  return lifted;
+}
+
 void ChartsMesher::lift(const Job& job, const OutputMesh& plane) {
   ShellMesh& mesh = result_.mesh;
   std::vector<Index> number(plane.points.size());

@@ -5,6 +5,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "base/result.h"
 #include "mesh/output_mesh.h"
@@ -16,6 +18,8 @@
 #include "surface/curves.h"
 
 namespace lpq {
+
+class Mesher;
 
 /// What the charts are meshed from; all of one surface.
 struct Charted {
@@ -59,6 +63,10 @@ class ChartsMesher {
   Index chart() const { return chart_; }  // the current one: as many are over
   const MeshedCharts& result() const { return result_; }
   MeshedCharts take() { return std::move(result_); }
+
+  const Mesher* plane() const;  // the run in the current chart; nullptr before its first step
+  /// Points of the current chart's plane on the surface; while there is a plane().
+  std::vector<Vec3> lifted(std::span<const Vec2> points) const;
 
  private:
   struct Job;  // the current chart

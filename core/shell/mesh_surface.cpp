@@ -66,6 +66,7 @@ class SurfaceMesher::Run {
     if (charts_) return charts_->chart();
     return stage_ > SurfaceStage::mesh ? static_cast<Index>(outcome_.atlas.charts.size()) : 0;
   }
+  const ChartsMesher* charts() const { return charts_ ? &*charts_ : nullptr; }
   const ShellMesh& mesh() const { return charts_ ? charts_->result().mesh : outcome_.mesh; }
   const ShellOutcome& outcome() const { return outcome_; }
 
@@ -378,6 +379,7 @@ std::span<const double> SurfaceMesher::sizes() const { return run_->sizes(); }
 const SurfaceCrossField& SurfaceMesher::cross_field() const { return run_->cross_field(); }
 const Atlas& SurfaceMesher::atlas() const { return run_->atlas(); }
 Index SurfaceMesher::charts_meshed() const { return run_->charts_meshed(); }
+const ChartsMesher* SurfaceMesher::charts() const { return run_->charts(); }
 const ShellMesh& SurfaceMesher::mesh() const { return run_->mesh(); }
 const ShellOutcome& SurfaceMesher::outcome() const { return run_->outcome(); }
 

@@ -22,6 +22,8 @@
 
 namespace lpq {
 
+class ChartsMesher;
+
 struct ShellReport {
   RepairReport repair;
   Index feature_edges = 0, corners = 0, curves = 0, faces = 0;
@@ -73,6 +75,7 @@ class SurfaceMesher {
   const SurfaceCrossField& cross_field() const;
   const Atlas& atlas() const;
   Index charts_meshed() const;          // of the current round
+  const ChartsMesher* charts() const;   // while they are meshed; nullptr before and after
   const ShellMesh& mesh() const;        // of these charts, or of all
   const ShellOutcome& outcome() const;  // whole once done
 

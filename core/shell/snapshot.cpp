@@ -1,6 +1,7 @@
 // See snapshot.h.
 #include "shell/snapshot.h"
 
+#include "shell/mesh_charts.h"
 #include "shell/quality.h"
 #include "surface/frames.h"
 
@@ -59,6 +60,16 @@ ChartLayer chart_layer(const SurfaceMesher& mesher) {
   for (Index e = 0; e < static_cast<Index>(atlas.cut.size()); ++e)
     if (atlas.cut[e] && surface.twins[e] > e && !mesher.features().half_edge_is_feature(e))
       layer.cuts.push_back({surface.origin(e), surface.target(e)});
+  return layer;
+}
+
+ChartCellLayer chart_cell_layer(const SurfaceMesher& mesher) {
+  ChartCellLayer layer;
+  const ChartsMesher* charts = mesher.charts();
+  if (charts == nullptr || charts->plane() == nullptr) return layer;
+  layer.chart = charts->chart();
+  layer.plane = cell_layer(*charts->plane());
+  layer.points = charts->lifted(layer.plane.polygons.values);
   return layer;
 }
 

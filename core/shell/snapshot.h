@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "pipeline/snapshot.h"
 #include "shell/mesh_surface.h"
 
 namespace lpq {
@@ -29,6 +30,13 @@ struct ChartLayer {
   std::vector<std::array<Index, 2>> cuts;  // borders of charts that are no features
 };
 
+/// What L_p moves: the cells in the chart that is being meshed.
+struct ChartCellLayer {
+  Index chart = none;        // none: there is no such chart now
+  CellLayer plane;           // in the chart's own plane
+  std::vector<Vec3> points;  // of its polygons, on the surface
+};
+
 /// The quads of the charts meshed so far, or of the whole surface.
 struct ShellLayer {
   std::vector<Vec3> points;                 // #V
@@ -43,6 +51,7 @@ struct ShellLayer {
 FeatureLayer feature_layer(const SurfaceMesher& mesher);
 SurfaceCrossLayer cross_layer(const SurfaceMesher& mesher);
 ChartLayer chart_layer(const SurfaceMesher& mesher);
+ChartCellLayer chart_cell_layer(const SurfaceMesher& mesher);
 ShellLayer shell_layer(const SurfaceMesher& mesher);
 
 }  // namespace lpq

@@ -7,6 +7,7 @@
 #include "shell/check.h"
 #include "shell/mesh_surface.h"
 #include "shell/quality.h"
+#include "shell/snapshot.h"
 #include "support/surface_meshes.h"
 #include "support/surface_shapes.h"
 
@@ -160,4 +161,39 @@ TEST_CASE("a surface run can be stopped, and repeats itself") {
   const ShellOutcome a = meshed(soup, {.size = 0.2}), b = meshed(soup, {.size = 0.2});
   CHECK(a.mesh.points == b.mesh.points);
   CHECK(a.mesh.faces == b.mesh.faces);
+}
+
+TEST_CASE("the cells of the chart that is meshed cover it, in its plane and on the surface") {
+  auto mesher = SurfaceMesher::start(box_soup({1, 2, 1}, 3), {.size = 0.25});
+  REQUIRE(mesher.has_value());
+  CHECK(chart_cell_layer(*mesher).chart == none);
+  std::vector<char> seen;
+  while (mesher->stage() != SurfaceStage::done) {
+    REQUIRE(mesher->step());
+    const ChartCellLayer layer = chart_cell_layer(*mesher);
+    const Csr<Vec2>& cells = layer.plane.polygons;
+    REQUIRE(layer.points.size() == cells.values.size());
+    CHECK((mesher->charts() != nullptr || layer.chart == none));
+    if (cells.rows() == 0) continue;
+    seen.resize(mesher->atlas().charts.size());
+    seen[layer.chart] = 1;
+    double area = 0;
+    for (Index i = 0; i < cells.rows(); ++i) {
+      const auto row = cells.row(i);
+      for (std::size_t k = 1; k + 1 < row.size(); ++k)
+        area += 0.5 * cross(row[k] - row[0], row[k + 1] - row[0]);
+    }
+    double whole = 0;
+    for (const Index t : mesher->atlas().charts[layer.chart].triangles) {
+      const auto [a, b, c] = mesher->surface().triangles[t];
+      const auto& p = mesher->surface().points;
+      whole += 0.5 * length(cross(p[b] - p[a], p[c] - p[a]));
+    }
+    CHECK(area == Approx(whole).epsilon(1e-9));
+    // A box is flat in pieces: lengths stay as they are.
+    CHECK(distance(layer.points[1], layer.points[0]) ==
+          Approx(length(cells.values[1] - cells.values[0])).epsilon(1e-9));
+  }
+  CHECK(std::count(seen.begin(), seen.end(), 1) ==
+        static_cast<std::ptrdiff_t>(mesher->atlas().charts.size()));
 }
