@@ -94,6 +94,17 @@ class JsSurfaceSession {
     js.set("cuts", to_pairs(layer.cuts));
     return js;
   }
+  val cells() const {
+    const ChartCellLayer layer = chart_cell_layer(mesher_);
+    val js = val::object();
+    js.set("chart", layer.chart);
+    js.set("uv", to_array(layer.plane.polygons.values));
+    js.set("points", to_array(layer.points));
+    js.set("offsets", to_array(layer.plane.polygons.offsets));
+    js.set("sites", to_array(layer.plane.site));
+    js.set("density", to_array(layer.plane.density));
+    return js;
+  }
   val quads() const {
     const ShellLayer layer = shell_layer(mesher_);
     val js = val::object();
@@ -156,6 +167,7 @@ EMSCRIPTEN_BINDINGS(lpquad_surface) {
       .function("sizes", &looked<&JsSurfaceSession::sizes>)
       .function("crosses", &looked<&JsSurfaceSession::crosses>)
       .function("charts", &looked<&JsSurfaceSession::charts>)
+      .function("cells", &looked<&JsSurfaceSession::cells>)
       .function("quads", &looked<&JsSurfaceSession::quads>);
 }
 

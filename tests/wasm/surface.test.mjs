@@ -186,14 +186,29 @@ test('progress names the stages in order, false ends the run, and exceptions com
   assert.equal(await hashOf(box), expected);
 });
 
+/** Cells of one chart: pieces turn counter-clockwise, and as points in space they are as many. */
+function checkCells({ chart, uv, points, offsets, sites, density }, { charts }) {
+  assert.equal(offsets.length, sites.length + 1);
+  assert.equal(uv.length, 2 * offsets.at(-1));
+  assert.equal(points.length, 3 * offsets.at(-1));
+  assert.ok(chart >= 0 ? charts.includes(chart) : sites.length === 0);
+  assert.ok(sites.every((site) => density[site] >= 0));
+  for (let i = 0; i < sites.length; ++i) {
+    let twice = 0;
+    for (let k = offsets[i], last = offsets[i + 1] - 1; k < offsets[i + 1]; last = k++)
+      twice += uv[2 * last] * uv[2 * k + 1] - uv[2 * last + 1] * uv[2 * k];
+    assert.ok(twice > -1e-12);
+  }
+}
+
 test('a session shows what every stage has made, and ends where the direct call does', async () => {
   const tube = torus(16, 32);
   const session = await lpquad.startSurface(tube, { size: 0.25 });
-  const all = { surface: true, features: true, sizes: true, crosses: true, charts: true, quads: true };
+  const all = { surface: true, features: true, sizes: true, crosses: true, charts: true, cells: true, quads: true };
   const start = session.snapshot(all);
   const triangles = tube.triangles.length / 3;
   assert.equal(start.surface.triangles.length, 3 * triangles);
-  for (const [layer, member] of [['features', 'edges'], ['sizes', 'sizes'], ['crosses', 'axes'], ['charts', 'uv'], ['quads', 'quads']])
+  for (const [layer, member] of [['features', 'edges'], ['sizes', 'sizes'], ['crosses', 'axes'], ['charts', 'uv'], ['cells', 'sites'], ['quads', 'quads']])
     assert.equal(start[layer][member].length, 0, layer);
   while (session.state.stage !== 'mesh') session.step();
   const { features, sizes, crosses, charts, surface } = session.snapshot(all);
@@ -218,16 +233,20 @@ test('a session shows what every stage has made, and ends where the direct call 
     assert.ok((bx - ax) * (cy - ay) - (by - ay) * (cx - ax) > 0);
   }
   assert.ok(charts.cuts.length > 0);
-  let quads = 0;
+  let quads = 0, cellsSeen = 0;
   while (session.state.stage === 'mesh') {
     session.step();
+    const { cells } = session.snapshot({ cells: true });
+    checkCells(cells, charts);
+    cellsSeen += cells.sites.length;
     const now = session.snapshot({ quads: true }).quads;
     assert.ok(now.quads.length >= quads);
     assert.equal(now.eta.length, now.quads.length / 4);
     assert.equal(now.regions.length, now.eta.length);
     quads = now.quads.length;
   }
-  assert.ok(quads > 0);
+  assert.ok(quads > 0 && cellsSeen > 0);
+  assert.equal(session.snapshot({ cells: true }).cells.chart, -1);
   const mesh = session.finish();
   checkConforming(mesh);
   assert.equal(mesh.report.vertices - mesh.report.quads, 0);  // V - E + F with E = 2 F
@@ -239,7 +258,7 @@ test('a session shows what every stage has made, and ends where the direct call 
   assert.equal(session.step(5).tick, tick);
   assert.equal(meshHash(mesh), await hashOf(tube, { size: 0.25 }));
   errorOf('BAD_OPTION', () => session.step(-1));
-  assert.match(errorOf('BAD_OPTION', () => session.snapshot({ cells: true })).message, /'cells'/);
+  assert.match(errorOf('BAD_OPTION', () => session.snapshot({ matching: true })).message, /'matching'/);
   session.dispose();
   session.dispose();
   for (const use of [() => session.step(), () => session.state, () => session.finish(), () => session.snapshot()])

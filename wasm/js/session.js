@@ -5,7 +5,7 @@ import { Handle } from './handle.js';
 
 /** Layers a snapshot can hold, by name. */
 const layerNames = ['triangles', 'cells', 'crosses', 'sizes', 'matching', 'quads'];
-const surfaceLayerNames = ['surface', 'features', 'sizes', 'crosses', 'charts', 'quads'];
+const surfaceLayerNames = ['surface', 'features', 'sizes', 'crosses', 'charts', 'cells', 'quads'];
 
 export function meshResult(raw) {
   const { report, ...mesh } = unwrap(raw);

@@ -112,10 +112,11 @@ export interface SurfaceLayers {
   sizes?: boolean;
   crosses?: boolean;
   charts?: boolean;
+  cells?: boolean;
   quads?: boolean;
 }
 
-/** Layers are empty until their stage is over, and stay from then on. Vertices and triangles are those of `surface`. */
+/** Layers but `cells` are empty until their stage is over, and stay from then on. Vertices and triangles are those of `surface`. */
 export interface SurfaceSnapshot extends SurfaceProgress {
   /** The surface as repaired. */
   surface?: SurfaceMeshResult['surface'];
@@ -136,6 +137,12 @@ export interface SurfaceSnapshot extends SurfaceProgress {
    * the surface. `cuts` are the borders of charts that are no features, 2 per edge.
    */
   charts?: { charts: Int32Array; uv: Float64Array; cuts: Uint32Array };
+  /**
+   * The clipped Voronoi cells in the chart that is being meshed, `chart`, -1 between charts: pieces as polygons, offsets by
+   * point, #pieces + 1, in the chart's own plane (u, v) and on the surface (x, y, z), and the vertex of the triangulation
+   * each belongs to; energy density per vertex.
+   */
+  cells?: { chart: number; uv: Float64Array; points: Float64Array; offsets: Int32Array; sites: Int32Array; density: Float64Array };
   /**
    * The quads of the charts meshed so far, then of all. Per face (quads first, then triangles) its region and η, per
    * vertex its valence and what it may do: 0 free, 1 on a feature or border, 2 a corner; `edges` as in the result.
