@@ -1,6 +1,7 @@
 #include "surface/bends.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "numerics/elementary.h"
