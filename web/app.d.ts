@@ -10,7 +10,7 @@ import type { WorkerSession } from 'lpquad/worker';
 import type { Drawing, Project, Run, Scene } from './types';
 
 export interface App {
-  store: Store;
+  store: Store<Project>;
   runner: Runner;
   actions: Actions;
   stage: Stage;

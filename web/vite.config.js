@@ -15,5 +15,6 @@ export default defineConfig({
   },
   plugins: [offline()],
   worker: { format: 'es' },
-  build: { outDir: here('../build/web'), emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0, modulePreload: false },
+  build: { outDir: here('../build/web'), emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0, modulePreload: false,
+    rollupOptions: { input: { plane: here('index.html'), space: here('space.html') } } },
 });

@@ -62,9 +62,9 @@ export const kinds = [
     help: ofLength('all but a tenth of the edges') },
 ];
 
-/** All of them as a list. */
-export function createNumbers() {
-  const rows = kinds.map((kind) => {
+/** As a list. @param {Kind[]} [shown]  all of them */
+export function createNumbers(shown = kinds) {
+  const rows = shown.map((kind) => {
     const value = h('dd', { className: 'numbers', 'data-figure': kind.key });
     const symbol = kind.symbol ? h('i', null, ` ${kind.symbol}`) : null;
     const row = h('div', { title: kind.help }, h('dt', null, kind.name, symbol), value);

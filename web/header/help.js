@@ -14,14 +14,14 @@ const rooms = {
 const introduction = 'Draw an outline, or choose one under Domain: the mesh follows. Drag to pan, turn the wheel or pinch to zoom. '
   + 'Every action is listed here with its keys, and can be started here too.';
 
-/** @param {Actions} actions */
-export function createHelp(actions) {
+/** @param {Actions} actions  @param {string} [about]  what the page is */
+export function createHelp(actions, about = introduction) {
   const list = h('div', { className: 'help-list' });
   const search = h('input', { type: 'search', id: 'help-search', 'aria-label': 'Find an action', placeholder: 'Find an action', oninput: () => filter(list, search.value) });
   const close = h('button', { type: 'button', 'aria-label': 'Close', title: 'Close (Escape)', onclick: () => dialog.close() }, icon('close'));
   const dialog = h('dialog', { className: 'help', 'aria-labelledby': 'help-title', onclick: closeOutside },
     h('div', { className: 'dialog-head' }, h('h2', { id: 'help-title' }, 'Help'), close),
-    h('p', null, introduction), search, list);
+    h('p', null, about), search, list);
   document.body.append(dialog);
   return {
     open: () => {

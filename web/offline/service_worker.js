@@ -9,6 +9,8 @@ const worker = /** @type {any} */ (self);
 const { version, files } = /** @type {{version: string, files: string[]}} */ (worker.lpquad);
 const cacheName = `lpquad-${version}`;
 const home = new URL('./', location.href).href;
+/** Paths of the pages; some servers leave the ending away. The others may be anybody's. */
+const pages = /^(index\.html|space(\.html)?)?([?#]|$)/;
 
 /** What an older version fetched already, if its name says that it is the same. @param {string} file */
 async function fromElsewhere(file) {
@@ -21,7 +23,8 @@ async function fetchAll() {
     const url = new URL(file, home).href;
     const response = await fromElsewhere(file) ?? await fetch(url, { cache: 'no-cache' });
     if (!response.ok) throw new Error(`${url}: status ${response.status}`);
-    await cache.put(url, response);
+    // A page that a redirect led to must not be kept as such: browsers refuse to show it again.
+    await cache.put(url, response.redirected ? new Response(response.body, { headers: response.headers }) : response);
   }));
 }
 
@@ -37,8 +40,9 @@ async function removeOld() {
 async function answer(request) {
   const cache = await caches.open(cacheName);
   if (request.mode === 'navigate') {
-    const kept = () => cache.match(home).then((page) => page ?? Response.error());
-    return fetch(request).then((page) => (page.ok ? page : kept()), kept);
+    const page = request.url.slice(home.length).startsWith('space') ? `${home}space.html` : home;
+    const kept = () => cache.match(page).then((found) => found ?? Response.error());
+    return fetch(request).then((response) => (response.ok ? response : kept()), kept);
   }
   return await cache.match(request, { ignoreSearch: true, ignoreVary: true }) ?? fetch(request);
 }
@@ -48,5 +52,5 @@ worker.addEventListener('activate', (/** @type {WorkerEvent} */ event) => event.
 worker.addEventListener('fetch', (/** @type {WorkerEvent} */ event) => {
   const { method, url, mode } = event.request;
   const own = url.startsWith(home) && method === 'GET';
-  if (own && (mode !== 'navigate' || /^(index\.html)?([?#]|$)/.test(url.slice(home.length)))) event.respondWith(answer(event.request));
+  if (own && (mode !== 'navigate' || pages.test(url.slice(home.length)))) event.respondWith(answer(event.request));
 });

@@ -1,21 +1,21 @@
 // The one place where the project lives, with everything it was before. Changes make new objects;
 // undo is going back to an old one.
-/** @import { Project } from '../types' */
 
 const remembered = 500;  // states; they share what did not change
 
+/** @template {object} P  of plain values */
 export class Store {
-  /** @type {{label: string, project: Project}[]} */
+  /** @type {{label: string, project: P}[]} */
   #past = [];
-  /** @type {{label: string, project: Project}[]} */
+  /** @type {{label: string, project: P}[]} */
   #future = [];
-  /** @type {Project} */
+  /** @type {P} */
   #project;
-  /** @type {Set<(project: Project, before: Project) => void>} */
+  /** @type {Set<(project: P, before: P) => void>} */
   #listeners = new Set();
   #merging = '';
 
-  /** @param {Project} project */
+  /** @param {P} project */
   constructor(project) {
     this.#project = project;
   }
@@ -27,7 +27,7 @@ export class Store {
   get undoLabel() { return this.#past.at(-1)?.label ?? ''; }
   get redoLabel() { return this.#future.at(-1)?.label ?? ''; }
 
-  /** @param {(project: Project, before: Project) => void} listener  @returns {() => void} ends it */
+  /** @param {(project: P, before: P) => void} listener  @returns {() => void} ends it */
   subscribe(listener) {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
@@ -35,13 +35,13 @@ export class Store {
 
   /**
    * @param {string} label  what was done, in words
-   * @param {Partial<Project> | ((project: Project) => Partial<Project>)} change
+   * @param {Partial<P> | ((project: P) => Partial<P>)} change
    * @param {string} [gesture]  changes of one gesture (a drag, a slider) are undone together
    */
   change(label, change, gesture = '') {
     const before = this.#project;
     const part = typeof change === 'function' ? change(before) : change;
-    if (Object.keys(part).every((key) => part[/** @type {keyof Project} */ (key)] === before[/** @type {keyof Project} */ (key)])) return;
+    if (Object.keys(part).every((key) => part[/** @type {keyof P} */ (key)] === before[/** @type {keyof P} */ (key)])) return;
     if (gesture === '' || gesture !== this.#merging) {
       this.#past.push({ label, project: before });
       if (this.#past.length > remembered) this.#past.shift();
@@ -64,7 +64,7 @@ export class Store {
   undo() { this.#travel(this.#past, this.#future); }
   redo() { this.#travel(this.#future, this.#past); }
 
-  /** @param {{label: string, project: Project}[]} from  @param {{label: string, project: Project}[]} to */
+  /** @param {{label: string, project: P}[]} from  @param {{label: string, project: P}[]} to */
   #travel(from, to) {
     const step = from.pop();
     if (step === undefined) return;
@@ -73,14 +73,14 @@ export class Store {
     this.#become(step.project);
   }
 
-  /** @param {Project} project */
+  /** @param {P} project */
   #become(project) {
     const before = this.#project;
     this.#project = project;
     this.#tell(before);
   }
 
-  /** @param {Project} before */
+  /** @param {P} before */
   #tell(before) {
     for (const listener of this.#listeners) listener(this.#project, before);
   }

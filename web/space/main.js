@@ -1,0 +1,108 @@
+// The page for surfaces in space: puts its parts together; what they do is theirs.
+/** @import { SpaceApp, Work } from './types' */
+import { createHelp } from '../header/help.js';
+import { Themes } from '../header/theme.js';
+import { Actions } from '../panels/actions.js';
+import { h, setText } from '../panels/dom.js';
+import { createNotices } from '../panels/notice.js';
+import { Tabs } from '../panels/tabs.js';
+import { Store } from '../state/store.js';
+import { installOpening } from './model/open.js';
+import { layersFor, workOf } from './model/work.js';
+import { installFiguresTab } from './panels/figures_tab.js';
+import { installFilesTab } from './panels/files_tab.js';
+import { installLayersTab } from './panels/layers_tab.js';
+import { installMeshTab } from './panels/mesh_tab.js';
+import { installSurfaceTab } from './panels/surface_tab.js';
+import { presets, surfaceOf } from './presets/presets.js';
+import { createEngine } from './run/engine.js';
+import { SurfaceRunner, shareOf, stageInWords } from './run/runner.js';
+import { installPlanes } from './view/planes.js';
+import { installScene } from './view/scene.js';
+import { Viewer } from './view/viewer.js';
+
+const element = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
+
+const first = presets.find(({ id }) => location.hash === `#preset=${id}`) ?? presets[0];
+/** @type {Work} */
+const begun = { layers: 'auto', ...workOf(first.title, surfaceOf(first.make())) };
+const store = new Store(begun);
+const runner = new SurfaceRunner(createEngine);
+
+/** @type {SpaceApp} */
+const app = {
+  store, runner, actions: new Actions(), tabs: new Tabs(element('panel')), themes: new Themes(), viewer: new Viewer(element('space-view')),
+  announce: (text) => setText(element('announcer'), text),
+  notify: createNotices(element('space-view')),
+  layers: () => new Set(store.project.layers === 'auto' ? layersFor(runner.run) : store.project.layers),
+  pointed: { chart: -1 },
+  point: (chart) => {
+    if (app.pointed.chart === chart) return;
+    app.pointed.chart = chart;
+    refreshScene();
+    refreshPlanes();
+  },
+};
+
+const { actions, viewer, themes } = app;
+const help = createHelp(actions, 'Open a surface, or choose one under Surface: it is meshed at once. Drag to turn it, turn the wheel or '
+  + 'pinch to zoom. Every action is listed here with its keys, and can be started here too.');
+actions.add(
+  { id: 'edit.undo', label: 'Undo', icon: 'undo', keys: ['Ctrl+Z'], enabled: () => store.canUndo, hint: () => store.undoLabel, run: () => store.undo() },
+  { id: 'edit.redo', label: 'Redo', icon: 'redo', keys: ['Ctrl+Y', 'Ctrl+Shift+Z'], enabled: () => store.canRedo, hint: () => store.redoLabel,
+    run: () => store.redo() },
+  { id: 'view.fit', label: 'Show all', icon: 'fit', keys: ['F'], run: () => viewer.fit() },
+  { id: 'view.in', label: 'Nearer', icon: 'zoomIn', keys: ['+'], run: () => viewer.zoom(1 / 1.2) },
+  { id: 'view.out', label: 'Farther', icon: 'zoomOut', keys: ['-'], run: () => viewer.zoom(1.2) },
+  { id: 'run.cancel', label: 'Cancel', icon: 'cancel', keys: ['Escape'], enabled: () => runner.run.phase === 'running', run: () => runner.cancel() },
+  { id: 'run.again', label: 'Run again', icon: 'again', keys: ['R'], run: () => void runner.start(store.project) },
+  { id: 'panel.next', label: 'Next panel', keys: [']'], run: () => app.tabs.turn(1) },
+  { id: 'panel.previous', label: 'Previous panel', keys: ['['], run: () => app.tabs.turn(-1) },
+  { id: 'page.theme', label: 'Light, dark or as the system', icon: () => /** @type {const} */ ({ system: 'auto', light: 'sun', dark: 'moon' })[themes.theme],
+    hint: () => themes.theme, run: () => { themes.turn(); actions.refresh(); app.announce(`Colours: ${themes.theme}`); } },
+  { id: 'page.help', label: 'Help', icon: 'help', keys: ['?', 'F1'], run: () => help.open() },
+);
+installOpening(app);
+installSurfaceTab(app);
+installMeshTab(app);
+installLayersTab(app);
+installFiguresTab(app);
+installFilesTab(app);
+element('header-actions').append(...['edit.undo', 'edit.redo', 'view.fit', 'page.theme', 'page.help'].map((id) => actions.button(id)));
+
+const progress = h('progress', { max: 1, 'aria-label': 'Progress' }), stageName = h('span', { className: 'stage-name' });
+element('timeline').append(actions.button('run.again'), actions.button('run.cancel'), progress, stageName);
+
+const refreshPlanes = installPlanes(app, element('plane-view'));
+const refreshScene = installScene(app);
+viewer.pointed = (triangle) => {
+  const { charts } = runner.run.frame;
+  app.point(triangle >= 0 && charts ? charts.charts[triangle] : -1);
+};
+
+const refresh = () => {
+  progress.value = shareOf(runner.run);
+  setText(stageName, stageInWords(runner.run));
+  setText(element('project-name'), store.project.name);
+  document.title = `${store.project.name} – lpquad in space`;
+  actions.refresh();
+  refreshPlanes();
+};
+let phase = runner.run.phase;
+runner.subscribe((run) => {
+  refresh();
+  if (run.phase === phase) return;
+  phase = run.phase;
+  if (phase === 'done') app.announce(`Done: ${run.result?.report.quads} quads`);
+  if (phase === 'failed') app.notify(run.error?.message ?? 'The run failed.');
+});
+store.subscribe((work, before) => {
+  refresh();
+  if ((work.surface !== before.surface || work.options !== before.options) && store.gesture === '') void runner.start(work);
+});
+themes.subscribe(refreshPlanes);
+actions.listen(window);
+Object.assign(globalThis, { playground: app });  // for the browser's console
+refresh();
+refreshScene();
+void runner.start(store.project);

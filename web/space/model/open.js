@@ -1,0 +1,42 @@
+// Opens surfaces: by the button, dropped anywhere, or handed over by the page for the plane.
+/** @import { SpaceApp } from '../types' */
+import { droppedFiles } from '../../files/dropped.js';
+import { h } from '../../panels/dom.js';
+import { workOf } from './work.js';
+
+const mostBytes = 256 * 2 ** 20, mostTriangles = 400_000;
+
+/** @param {SpaceApp} app */
+export function installOpening(app) {
+  const { store, actions, announce, notify } = app;
+  /** @param {File[]} files */
+  async function open([file]) {
+    if (file === undefined) return;
+    if (file.size > mostBytes) return notify(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB; the page takes 256.`);
+    announce(`Opening ${file.name}`);
+    const engine = await app.runner.createEngine();  // of its own: a run under way is not held up
+    try {
+      const surface = await engine.readSurface(new Uint8Array(await file.arrayBuffer()), { name: file.name });
+      const count = surface.triangles.length / 3;
+      if (count > mostTriangles) return notify(`${file.name} has ${count.toLocaleString('en')} triangles; the command line meshes it.`);
+      store.change(`Open ${file.name}`, workOf(file.name, surface));
+      announce(`${file.name} opened: ${count} triangles`);
+    } catch (error) {
+      notify(`${file.name} could not be opened: ${/** @type {Error} */ (error).message}`);
+    } finally {
+      engine.terminate();
+    }
+  }
+  const input = h('input', { type: 'file', hidden: true, 'aria-label': 'Surface to open', onchange: () => {
+    void open([...input.files ?? []]);
+    input.value = '';
+  } });
+  document.body.append(input);
+  actions.add({ id: 'file.open', label: 'Open a surface', icon: 'open', keys: ['Ctrl+O'], run: () => input.click() });
+  window.addEventListener('dragover', (event) => event.preventDefault());
+  window.addEventListener('drop', (event) => {
+    event.preventDefault();
+    if (event.dataTransfer) void droppedFiles(event.dataTransfer).then(open);
+  });
+  return open;
+}

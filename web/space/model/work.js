@@ -1,0 +1,61 @@
+// What a person works on, and what it looks like without being asked.
+/** @import { SpaceLayer, SurfaceRun, Work } from '../types' */
+/** @import { Surface } from 'lpquad' */
+
+/** @type {{name: SpaceLayer, key: string, title: string, what: string}[]} */
+export const layerNames = [
+  { name: 'surface', key: '1', title: 'Surface', what: 'The triangles that were given, as repaired.' },
+  { name: 'features', key: '2', title: 'Sharp edges',
+    what: 'Sharp edges, borders and the borders of groups: the mesh follows them. Corners are points of the mesh.' },
+  { name: 'crosses', key: '3', title: 'Cross field',
+    what: 'The directions that the sides of the quads should have, and where that cannot be everywhere.' },
+  { name: 'charts', key: '4', title: 'Charts',
+    what: 'The parts that are mapped to the plane, each by itself; there the quads are made.' },
+  { name: 'quads', key: '5', title: 'Quads', what: 'The mesh.' },
+  { name: 'quality', key: '6', title: 'Quality η',
+    what: 'How near the corners of a quad are to right angles: 1 is a rectangle.' },
+  { name: 'valence', key: '7', title: 'Irregular vertices',
+    what: 'Vertices where fewer or more than four quads meet.' },
+];
+
+/** In the order of the keys. @param {Iterable<SpaceLayer>} some */
+export function inOrder(some) {
+  const chosen = new Set(some);
+  return layerNames.map(({ name }) => name).filter((name) => chosen.has(name));
+}
+
+/** What tells most at this stage. @param {SurfaceRun} run  @returns {SpaceLayer[]} */
+export function layersFor({ frame }) {
+  if (frame.quads) return ['features', 'quads', 'valence'];
+  if (frame.charts) return ['features', 'charts'];
+  if (frame.crosses) return ['surface', 'features', 'crosses'];
+  return ['surface', 'features'];
+}
+
+/** @param {Surface} surface */
+export function areaOf({ points: p, triangles }) {
+  let twice = 0;
+  for (let t = 0; t < triangles.length; t += 3) {
+    const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
+    const u = [0, 1, 2].map((k) => p[b + k] - p[a + k]), v = [0, 1, 2].map((k) => p[c + k] - p[a + k]);
+    twice += Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+  }
+  return twice / 2;
+}
+
+/** @param {Float64Array} points  three numbers each */
+export function boxOf(points) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < points.length; ++i) {
+    low[i % 3] = Math.min(low[i % 3], points[i]);
+    high[i % 3] = Math.max(high[i % 3], points[i]);
+  }
+  const middle = low.map((x, k) => (x + high[k]) / 2);
+  return { middle, radius: Math.hypot(...low.map((x, k) => high[k] - x)) / 2 || 1 };
+}
+
+/** A size that gives about so many quads, in three digits. @param {Surface} surface  @param {number} quads */
+export const sizeFor = (surface, quads) => Number(Math.sqrt(areaOf(surface) / quads).toPrecision(3));
+
+/** @param {string} name  @param {Surface} surface  @param {number} [quads]  @returns {Pick<Work, 'name' | 'surface' | 'options'>} */
+export const workOf = (name, surface, quads = 3000) => ({ name, surface, options: { size: sizeFor(surface, quads) } });

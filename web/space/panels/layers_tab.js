@@ -1,0 +1,82 @@
+// The Layers tab: every layer with its key, its button and what its colours mean just now.
+/** @import { LegendItem } from '../../draw/legend.js' */
+/** @import { SpaceApp, SpaceLayer, SurfaceRun } from '../types' */
+/** @import { Palette } from '../../types' */
+import { counted, short } from '../../draw/legend.js';
+import { markOf } from '../../draw/marks.js';
+import { dark, light } from '../../draw/palette.js';
+import { legendElement } from '../../layers/legend.js';
+import { h } from '../../panels/dom.js';
+import { inOrder, layerNames } from '../model/work.js';
+import { irregularVertices } from '../view/geometry.js';
+
+/** @param {SpaceApp} app */
+export function installLayersTab(app) {
+  const { actions, announce, runner, store, tabs, themes } = app;
+  actions.add(
+    { id: 'layer.auto', label: 'Layers follow the run', keys: ['A'], icon: 'auto', pressed: () => store.project.layers === 'auto',
+      run: () => store.change('Layers follow the run', { layers: store.project.layers === 'auto' ? inOrder(app.layers()) : 'auto' }) },
+    ...layerNames.map(({ name, key, title }) => ({ id: `layer.${name}`, label: title, keys: [key], pressed: () => app.layers().has(name),
+      run: () => {
+        const on = new Set(app.layers());
+        if (!on.delete(name)) on.add(name);
+        store.change(`${on.has(name) ? 'Show' : 'Hide'} ${title.toLowerCase()}`, { layers: inOrder(on) });
+        announce(`${title} ${on.has(name) ? 'shown' : 'hidden'}`);
+      } })));
+  const rows = layerNames.map((layer) => ({ ...layer, legend: h('div', { className: 'legend' }) }));
+  tabs.add('layers', 'Layers',
+    h('div', { className: 'layers-head buttons' }, actions.button('layer.auto', { labelled: true })),
+    h('ul', { className: 'layers' }, ...rows.map(({ name, legend, key, what }) => h('li', null,
+      h('div', { className: 'layer' }, actions.button(`layer.${name}`, { title: what }), h('kbd', { 'aria-hidden': 'true' }, key)), legend))));
+  const refresh = () => {
+    const palette = themes.dark ? dark : light;
+    for (const { name, legend } of rows) {
+      const items = app.layers().has(name) ? legends[name](runner.run, palette) : [];
+      const text = JSON.stringify(items);
+      if (legend.dataset.of === text) continue;
+      legend.dataset.of = text;
+      legend.replaceChildren(...items.map(legendElement));
+    }
+  };
+  store.subscribe(refresh);
+  runner.subscribe(refresh);
+  themes.subscribe(refresh);
+  refresh();
+}
+
+/** @type {LegendItem[]} */
+const notYet = [{ kind: 'text', text: 'Nothing yet at this stage.' }];
+
+/** @type {Record<SpaceLayer, (run: SurfaceRun, palette: Palette) => LegendItem[]>} */
+const legends = {
+  surface: ({ frame }) => (frame.surface ? [{ kind: 'text', text: counted(frame.surface.triangles.length / 3, 'triangle') }] : notYet),
+  features: ({ frame }, palette) => (frame.features
+    ? [{ kind: 'line', colour: palette.boundary, width: 2.5, text: counted(frame.features.edges.length / 2, 'edge') }] : notYet),
+  charts: ({ frame }, palette) => (frame.charts
+    ? [{ kind: 'line', colour: palette.faint, width: 1.5, text: `${counted(new Set(frame.charts.charts).size, 'chart')}; cuts between them` }]
+    : notYet),
+  crosses: ({ frame }, palette) => (frame.crosses
+    ? [{ kind: 'line', colour: palette.accent, width: 1.25, text: 'directions of the sides' }, ...singularities(frame.crosses.indices, palette)]
+    : notYet),
+  quads: ({ frame }, palette) => (frame.quads
+    ? [{ kind: 'line', colour: palette.ink, width: 1, text: counted(frame.quads.quads.length / 4, 'quad') }] : notYet),
+  quality: ({ frame }, palette) => {
+    if (!frame.quads) return notYet;
+    const eta = frame.quads.eta.subarray(0, frame.quads.quads.length / 4);
+    const of = `mean ${short(eta.reduce((sum, one) => sum + one, 0) / eta.length)}, least ${short(eta.reduce((a, b) => Math.min(a, b), 1))}`;
+    return [{ kind: 'ramp', ramp: palette.ramps.quality, low: '≤ 0.4', high: '1', of }];
+  },
+  valence: ({ frame }, palette) => (frame.quads
+    ? [...irregularVertices(frame.quads)].sort(([a], [b]) => a - b).map(([excess, vertices]) => {
+      const { shape, colour, text } = markOf(palette, excess);
+      return { kind: /** @type {const} */ ('mark'), shape, colour, hollow: false, text: `${vertices.length} with ${text}` };
+    }) : notYet),
+};
+
+/** @param {Int32Array} indices  @param {Palette} palette  @returns {LegendItem[]} */
+const singularities = (indices, palette) => [1, -1].flatMap((sign) => {
+  const count = indices.filter((index) => Math.sign(index) === sign).length;
+  const { shape, colour } = markOf(palette, -sign);
+  const text = `${counted(count, 'singularity', 'singularities')} ${sign > 0 ? '+1: three' : '−1: five'} quads meet`;
+  return count > 0 ? [{ kind: /** @type {const} */ ('mark'), shape, colour, hollow: true, text }] : [];
+});

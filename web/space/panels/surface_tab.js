@@ -1,0 +1,56 @@
+// The Surface tab: where a surface comes from, and what was found in it.
+/** @import { SpaceApp, SurfaceRun } from '../types' */
+import { h } from '../../panels/dom.js';
+import { workOf } from '../model/work.js';
+import { presets, surfaceOf } from '../presets/presets.js';
+
+/** @param {SpaceApp} app */
+export function installSurfaceTab(app) {
+  const { actions, store, runner } = app;
+  for (const { id, title, make } of presets)
+    actions.add({ id: `preset.${id}`, label: title, run: () => {
+      store.change(`Open ${title.toLowerCase()}`, workOf(title, surfaceOf(make())));
+      app.announce(`${title} opened`);
+    } });
+  const facts = h('dl', { className: 'numbers-list' });
+  const repairs = h('ul', { className: 'warnings' });
+  app.tabs.add('surface', 'Surface',
+    h('p', { className: 'quiet' }, 'Drop a file here: STL, OBJ, PLY, OFF or Gmsh triangles.'),
+    h('div', { className: 'buttons' }, actions.button('file.open', { labelled: true })),
+    h('h2', null, 'To begin with'),
+    h('ul', { className: 'space-presets' }, ...presets.map(({ id, title, about }) => {
+      const button = actions.button(`preset.${id}`);
+      button.replaceChildren(h('strong', null, title), h('span', { className: 'quiet' }, about));
+      return h('li', null, button);
+    })),
+    h('h2', null, 'This surface'), facts, repairs);
+  const refresh = () => {
+    facts.replaceChildren(...factsOf(app, runner.run).map(([name, value]) =>
+      h('div', null, h('dt', null, name), h('dd', { className: 'numbers' }, value))));
+    repairs.replaceChildren(...warningsOf(runner.run).map((text) => h('li', null, text)));
+  };
+  store.subscribe(refresh);
+  runner.subscribe(refresh);
+  refresh();
+}
+
+const count = (/** @type {number} */ value) => value.toLocaleString('en');
+
+/** @param {SpaceApp} app  @param {SurfaceRun} run  @returns {[string, string][]} */
+function factsOf({ store }, { frame }) {
+  const { surface } = store.project;
+  /** @type {[string, string][]} */
+  const facts = [['Triangles', count(surface.triangles.length / 3)], ['Points', count(surface.points.length / 3)]];
+  if (surface.groupNames?.length) facts.push(['Groups', count(surface.groupNames.length)]);
+  if (frame.features) {
+    facts.push(['Faces between sharp edges', count(new Set(frame.features.faces).size)]);
+    facts.push(['Sharp and border edges', count(frame.features.edges.length / 2)]);
+    facts.push(['Corners', count(frame.features.corners.length)]);
+  }
+  if (frame.charts) facts.push(['Charts', count(new Set(frame.charts.charts).size)]);
+  return facts;
+}
+
+/** @param {SurfaceRun} run */
+const warningsOf = ({ work, result }) =>
+  [...work?.surface.warnings ?? [], ...result?.report.warnings ?? []].map(({ message }) => message);

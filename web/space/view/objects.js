@@ -1,0 +1,121 @@
+// The layers of a run as objects in space. Faces stand back a little from the lines on them.
+/** @import { Palette } from '../../types' */
+/** @import { SurfaceSnapshot } from 'lpquad' */
+/** @import { Shape as MarkShape } from '../../draw/marks.js' */
+import {
+  BufferAttribute, BufferGeometry, CanvasTexture, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, Points,
+  PointsMaterial,
+} from 'three';
+import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { cornersOf, markOf } from '../../draw/marks.js';
+import {
+  chartColour, crossLines, edgesOfQuads, gather, irregularVertices, parts, perCorner, qualityColours, trianglesOfQuads,
+} from './geometry.js';
+
+const markSize = 13;  // pixels
+const cutWidth = 1.5, featureWidth = 2.5;
+
+/** @param {Float32Array} positions  @param {Float32Array} colours  three numbers a corner
+ * @param {number} back  how far behind the lines and other faces on them */
+function faces(positions, colours, back) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(positions, 3));
+  geometry.setAttribute('color', new BufferAttribute(colours, 3));
+  geometry.computeVertexNormals();
+  const material = new MeshLambertMaterial({ vertexColors: true, flatShading: true, side: DoubleSide,
+    polygonOffset: true, polygonOffsetFactor: back, polygonOffsetUnits: back });
+  return new Mesh(geometry, material);
+}
+
+/** Thin lines, one pixel. @param {Float32Array} positions  @param {string} colour  @param {number} [opacity] */
+function thin(positions, colour, opacity = 1) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(positions, 3));
+  return new LineSegments(geometry, new LineBasicMaterial({ color: colour, transparent: opacity < 1, opacity }));
+}
+
+/** @param {Float32Array} positions  @param {string} colour  @param {number} width  pixels */
+function thick(positions, colour, width) {
+  const geometry = new LineSegmentsGeometry();
+  geometry.setPositions(positions);
+  return new LineSegments2(geometry, new LineMaterial({ color: colour, linewidth: width }));
+}
+
+/** A mark of the plane's drawings as a picture. @param {MarkShape} shape  @param {string} colour  @param {boolean} hollow */
+function markPicture(shape, colour, hollow) {
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = 64;
+  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+  context.translate(32, 32);
+  context.beginPath();
+  cornersOf(shape).forEach(([x, y], i) => (i === 0 ? context.moveTo(24 * x, 24 * y) : context.lineTo(24 * x, 24 * y)));
+  context.closePath();
+  context.lineWidth = 10;
+  context.fillStyle = context.strokeStyle = colour;
+  if (hollow) context.stroke();
+  else context.fill();
+  return new CanvasTexture(canvas);
+}
+
+/** @param {Float32Array} positions  @param {Palette} palette  @param {number} excess  @param {boolean} hollow */
+function marks(positions, palette, excess, hollow) {
+  const { shape, colour } = markOf(palette, excess);
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(positions, 3));
+  return new Points(geometry, new PointsMaterial({ size: markSize, sizeAttenuation: false, map: markPicture(shape, colour, hollow),
+    transparent: true, alphaTest: 0.1 }));
+}
+
+/** @typedef {import('lpquad').Surface} SurfaceLayer */
+
+/** The triangles; by chart, or all alike. @param {SurfaceLayer} surface  @param {Palette} palette  @param {boolean} dark
+ * @param {ArrayLike<number>} [charts]  @param {number} [pointed] */
+export function surfaceObject({ points, triangles }, palette, dark, charts, pointed = -1) {
+  const plain = parts(dark ? '#33475c' : '#dbe4ee');
+  const accent = parts(palette.accent);
+  const colour = (/** @type {number} */ t) => {
+    if (charts === undefined) return plain;
+    return charts[t] === pointed ? accent : chartColour(charts[t], dark);
+  };
+  const colours = Array.from({ length: triangles.length / 3 }, (_, t) => colour(t));
+  return faces(gather(points, triangles), perCorner(colours, 3), 2);
+}
+
+/** @param {SurfaceLayer} surface  @param {NonNullable<SurfaceSnapshot['features']>} features  @param {Palette} palette */
+export const featureObject = ({ points }, { edges }, palette) => thick(gather(points, edges), palette.boundary, featureWidth);
+
+/** @param {SurfaceLayer} surface  @param {NonNullable<SurfaceSnapshot['charts']>} charts  @param {Palette} palette */
+export const cutObject = ({ points }, { cuts }, palette) => thick(gather(points, cuts), palette.faint, cutWidth);
+
+/** @param {SurfaceLayer} surface  @param {NonNullable<SurfaceSnapshot['crosses']>} crosses  @param {number} size
+ * @param {Palette} palette */
+export function crossObject(surface, { axes, singularities, indices }, size, palette) {
+  const group = new Group().add(thin(crossLines(surface, axes, 0.35 * size), palette.accent));
+  for (const sign of [1, -1]) {
+    const vertices = singularities.filter((_, i) => Math.sign(indices[i]) === sign);
+    if (vertices.length > 0) group.add(marks(gather(surface.points, vertices), palette, -sign, true));
+  }
+  return group;
+}
+
+/** @param {NonNullable<SurfaceSnapshot['quads']>} quads  @param {Palette} palette  @param {boolean} dark
+ * @param {{quality: boolean, lines: boolean, faces: boolean}} how */
+export function quadObject({ points, quads, eta }, palette, dark, how) {
+  const group = new Group();
+  const plain = parts(dark ? '#33475c' : '#e6edf4');
+  if (how.faces) {
+    const colours = how.quality ? qualityColours(eta, palette.ramps.quality) : Array.from(eta, () => plain);
+    group.add(faces(gather(points, trianglesOfQuads(points, quads)), perCorner(colours.slice(0, quads.length / 4), 6), 1));
+  }
+  if (how.lines) group.add(thin(gather(points, edgesOfQuads(quads)), palette.ink, 0.75));
+  return group;
+}
+
+/** @param {NonNullable<SurfaceSnapshot['quads']>} quads  @param {Palette} palette */
+export function irregularObject(quads, palette) {
+  const group = new Group();
+  for (const [excess, vertices] of irregularVertices(quads)) group.add(marks(gather(quads.points, vertices), palette, excess, false));
+  return group;
+}

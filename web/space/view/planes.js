@@ -1,0 +1,113 @@
+// The charts in their planes, beside the surface: pointing at one shows it in both views.
+/** @import { SpaceApp } from '../types' */
+/** @import { Layout } from './layout.js' */
+import { dark, light } from '../../draw/palette.js';
+import { chartColour } from './geometry.js';
+import { layOut, quadsInPlanes } from './layout.js';
+
+const margin = 12;
+
+/** @param {SpaceApp} app  @param {HTMLElement} element  holds the canvas */
+export function installPlanes(app, element) {
+  const canvas = /** @type {HTMLCanvasElement} */ (element.querySelector('canvas'));
+  /** @type {{charts: unknown, aspect: number, layout: Layout} | null} */
+  let known = null;
+  let scheduled = false;
+
+  function layoutNow() {
+    const { charts } = app.runner.run.frame;
+    const { width, height } = element.getBoundingClientRect();
+    if (charts === undefined || width === 0 || height === 0) return null;
+    const aspect = (width - 2 * margin) / (height - 2 * margin);
+    if (known?.charts !== charts || known.aspect !== aspect) known = { charts, aspect, layout: layOut(charts, aspect) };
+    const { layout } = known;
+    const scale = Math.min((width - 2 * margin) / layout.width, (height - 2 * margin) / layout.height);
+    return { charts, layout, scale, left: (width - scale * layout.width) / 2, top: (height - scale * layout.height) / 2 };
+  }
+
+  function paint() {
+    scheduled = false;
+    element.hidden = app.runner.run.frame.charts === undefined;
+    const { width, height } = element.getBoundingClientRect();
+    canvas.width = Math.round(width * devicePixelRatio);
+    canvas.height = Math.round(height * devicePixelRatio);
+    const context = canvas.getContext('2d');
+    const now = layoutNow();
+    if (context === null || now === null) return;
+    context.setTransform(devicePixelRatio * now.scale, 0, 0, devicePixelRatio * now.scale, devicePixelRatio * now.left, devicePixelRatio * now.top);
+    context.lineWidth = 1 / now.scale;
+    drawPlanes(context, now, app);
+  }
+  const invalidate = () => {
+    if (scheduled) return;
+    scheduled = true;
+    requestAnimationFrame(paint);
+  };
+
+  /** @param {PointerEvent} event */
+  function chartAt({ clientX, clientY }) {
+    const now = layoutNow();
+    if (now === null) return -1;
+    const box = canvas.getBoundingClientRect();
+    return pick(now.charts.uv, now.layout, (clientX - box.left - now.left) / now.scale, (clientY - box.top - now.top) / now.scale);
+  }
+  canvas.addEventListener('pointermove', (event) => app.point(chartAt(event)));
+  canvas.addEventListener('pointerdown', (event) => app.point(chartAt(event)));
+  canvas.addEventListener('pointerleave', () => app.point(-1));
+  canvas.addEventListener('keydown', (event) => {
+    const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
+    const count = known?.layout.islands.length ?? 0;
+    if (by === undefined || count === 0) return;
+    event.preventDefault();
+    app.point((app.pointed.chart + by + count) % count);
+    app.announce(`Chart ${app.pointed.chart + 1} of ${count}`);
+  });
+  new ResizeObserver(invalidate).observe(element);
+  return invalidate;
+}
+
+/** @param {CanvasRenderingContext2D} context
+ * @param {{charts: NonNullable<import('lpquad').SurfaceSnapshot['charts']>, layout: Layout}} planes  @param {SpaceApp} app */
+function drawPlanes(context, { charts, layout }, { pointed, runner, themes }) {
+  const palette = themes.dark ? dark : light;
+  const { result } = runner.run;
+  const quads = result ? quadsInPlanes(charts, result) : null;
+  for (const { chart, triangles, shift } of layout.islands) {
+    context.save();
+    context.translate(...shift);
+    context.fillStyle = chart === pointed.chart ? palette.accent
+      : `rgb(${chartColour(chart, themes.dark).map((x) => Math.round(255 * x))})`;
+    context.beginPath();
+    for (const t of triangles) traceLoop(context, charts.uv, 6 * t, 3);
+    context.fill();
+    context.strokeStyle = quads ? palette.ink : palette.faint;
+    context.globalAlpha = quads ? 0.8 : 0.5;
+    context.beginPath();
+    const of = quads?.get(chart) ?? [];
+    if (quads) for (let q = 0; q < of.length; q += 8) traceLoop(context, of, q, 4);
+    else for (const t of triangles) traceLoop(context, charts.uv, 6 * t, 3);
+    context.stroke();
+    context.restore();
+  }
+}
+
+/** @param {CanvasRenderingContext2D} context  @param {ArrayLike<number>} uv  @param {number} at  @param {number} corners */
+function traceLoop(context, uv, at, corners) {
+  context.moveTo(uv[at], uv[at + 1]);
+  for (let k = 1; k < corners; ++k) context.lineTo(uv[at + 2 * k], uv[at + 2 * k + 1]);
+  context.closePath();
+}
+
+/** The chart at a place of the picture; -1: none. @param {ArrayLike<number>} uv  @param {Layout} layout  @param {number} x
+ * @param {number} y */
+export function pick(uv, { islands }, x, y) {
+  for (const { chart, triangles, shift } of islands)
+    for (const t of triangles) {
+      const side = (/** @type {number} */ k) => {
+        const [i, j] = [6 * t + 2 * k, 6 * t + 2 * ((k + 1) % 3)];
+        return (uv[j] - uv[i]) * (y - shift[1] - uv[i + 1]) - (uv[j + 1] - uv[i + 1]) * (x - shift[0] - uv[i]);
+      };
+      if (side(0) >= 0 && side(1) >= 0 && side(2) >= 0) return chart;
+    }
+  return -1;
+}
