@@ -4,7 +4,9 @@
 import { installCompare } from './compare/compare.js';
 import { dark, light } from './draw/palette.js';
 import { installFiguresTab } from './figures/figures_tab.js';
+import { handedFile } from './files/hand_over.js';
 import { installOpeningProjects } from './files/open_project.js';
+import { installOpeningSurfaces } from './files/open_surface.js';
 import { installFiles } from './files/files.js';
 import { installHeader } from './header/header.js';
 import { Themes } from './header/theme.js';
@@ -39,6 +41,7 @@ function scene() {
 }
 
 const themes = new Themes();
+const handed = await handedFile();
 const opened = await openFirst();
 const store = new Store(opened.project ?? presets[0].project);
 const runner = new Runner(createEngine);
@@ -69,6 +72,7 @@ installLayers(app);
 installFiguresTab(app);
 installCompare(app, createEngine, refreshTimeline);
 installOpeningProjects(app);
+installOpeningSurfaces(app);
 installStages(app);
 installFiles(app);
 installOffline(app);
@@ -98,3 +102,4 @@ if (opened.notice) app.notify(opened.notice);
 startRun(store.project, 'play');
 if (opened.place.tick !== undefined) void runner.seek(opened.place.tick);
 openChapter(opened.place.chapter, opened.project === null);
+if (handed) void app.openFiles([handed]);

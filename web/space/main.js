@@ -1,5 +1,5 @@
 // The page for surfaces in space: puts its parts together; what they do is theirs.
-/** @import { SpaceApp, Work } from './types' */
+/** @import { SpaceApp } from './types' */
 import { createHelp } from '../header/help.js';
 import { Themes } from '../header/theme.js';
 import { Actions } from '../panels/actions.js';
@@ -7,14 +7,14 @@ import { h, setText } from '../panels/dom.js';
 import { createNotices } from '../panels/notice.js';
 import { Tabs } from '../panels/tabs.js';
 import { Store } from '../state/store.js';
+import { fromFragment, toFragment } from './model/link.js';
 import { installOpening } from './model/open.js';
-import { layersFor, workOf } from './model/work.js';
+import { layersFor } from './model/work.js';
 import { installFiguresTab } from './panels/figures_tab.js';
 import { installFilesTab } from './panels/files_tab.js';
 import { installLayersTab } from './panels/layers_tab.js';
 import { installMeshTab } from './panels/mesh_tab.js';
 import { installSurfaceTab } from './panels/surface_tab.js';
-import { presets, surfaceOf } from './presets/presets.js';
 import { createEngine } from './run/engine.js';
 import { SurfaceRunner, shareOf, stageInWords } from './run/runner.js';
 import { installPlanes } from './view/planes.js';
@@ -23,10 +23,7 @@ import { Viewer } from './view/viewer.js';
 
 const element = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
-const first = presets.find(({ id }) => location.hash === `#preset=${id}`) ?? presets[0];
-/** @type {Work} */
-const begun = { layers: 'auto', ...workOf(first.title, surfaceOf(first.make())) };
-const store = new Store(begun);
+const store = new Store(fromFragment(location.hash));
 const runner = new SurfaceRunner(createEngine);
 
 /** @type {SpaceApp} */
@@ -98,10 +95,12 @@ runner.subscribe((run) => {
 });
 store.subscribe((work, before) => {
   refresh();
+  history.replaceState(null, '', toFragment(work) || location.pathname + location.search);
   if ((work.surface !== before.surface || work.options !== before.options) && store.gesture === '') void runner.start(work);
 });
 themes.subscribe(refreshPlanes);
 actions.listen(window);
+addEventListener('hashchange', () => store.change('Open a link', fromFragment(location.hash)));
 Object.assign(globalThis, { playground: app });  // for the browser's console
 refresh();
 refreshScene();

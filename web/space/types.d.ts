@@ -12,6 +12,8 @@ export type SpaceLayer = 'surface' | 'features' | 'charts' | 'crosses' | 'quads'
 /** What a person works on. Immutable; undo is going back to an old one. */
 export interface Work {
   name: string;
+  /** its id, if the surface is one of the page's own */
+  preset?: string;
   surface: Surface;
   options: SurfaceOptions;
   /** 'auto': what tells most at each stage of the run */

@@ -1,9 +1,11 @@
 // Opens surfaces: by the button, dropped anywhere, or handed over by the page for the plane.
 /** @import { SpaceApp } from '../types' */
 import { droppedFiles } from '../../files/dropped.js';
+import { handOver, handedFile } from '../../files/hand_over.js';
 import { h } from '../../panels/dom.js';
 import { workOf } from './work.js';
 
+const ofThePlane = /\.(json|geojson|svg|poly|dxf)$/i;
 const mostBytes = 256 * 2 ** 20, mostTriangles = 400_000;
 
 /** @param {SpaceApp} app */
@@ -12,6 +14,7 @@ export function installOpening(app) {
   /** @param {File[]} files */
   async function open([file]) {
     if (file === undefined) return;
+    if (ofThePlane.test(file.name)) return handOver(file, './');
     if (file.size > mostBytes) return notify(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB; the page takes 256.`);
     announce(`Opening ${file.name}`);
     const engine = await app.runner.createEngine();  // of its own: a run under way is not held up
@@ -38,5 +41,5 @@ export function installOpening(app) {
     event.preventDefault();
     if (event.dataTransfer) void droppedFiles(event.dataTransfer).then(open);
   });
-  return open;
+  void handedFile().then((file) => file && open([file]));
 }

@@ -57,5 +57,5 @@ export function boxOf(points) {
 /** A size that gives about so many quads, in three digits. @param {Surface} surface  @param {number} quads */
 export const sizeFor = (surface, quads) => Number(Math.sqrt(areaOf(surface) / quads).toPrecision(3));
 
-/** @param {string} name  @param {Surface} surface  @param {number} [quads]  @returns {Pick<Work, 'name' | 'surface' | 'options'>} */
-export const workOf = (name, surface, quads = 3000) => ({ name, surface, options: { size: sizeFor(surface, quads) } });
+/** @param {string} name  @param {Surface} surface  @param {number} [quads]  @returns {Pick<Work, 'name' | 'surface' | 'options' | 'preset'>} */
+export const workOf = (name, surface, quads = 3000) => ({ name, surface, options: { size: sizeFor(surface, quads) }, preset: undefined });

@@ -1,15 +1,15 @@
 // The Surface tab: where a surface comes from, and what was found in it.
 /** @import { SpaceApp, SurfaceRun } from '../types' */
 import { h } from '../../panels/dom.js';
-import { workOf } from '../model/work.js';
-import { presets, surfaceOf } from '../presets/presets.js';
+import { presetWork } from '../model/link.js';
+import { presets } from '../presets/presets.js';
 
 /** @param {SpaceApp} app */
 export function installSurfaceTab(app) {
   const { actions, store, runner } = app;
-  for (const { id, title, make } of presets)
+  for (const { id, title } of presets)
     actions.add({ id: `preset.${id}`, label: title, run: () => {
-      store.change(`Open ${title.toLowerCase()}`, workOf(title, surfaceOf(make())));
+      store.change(`Open ${title.toLowerCase()}`, { ...presetWork(id), layers: store.project.layers });
       app.announce(`${title} opened`);
     } });
   const facts = h('dl', { className: 'numbers-list' });

@@ -107,7 +107,7 @@ export class SurfaceRunner {
 }
 
 /** More steps at once while they are quick. @param {number} portion  @param {number} took */
-const portionAfter = (portion, took) =>
+export const portionAfter = (portion, took) =>
   (took > pictureEvery ? Math.max(1, Math.floor(portion / 2)) : Math.min(4096, 2 * portion));
 
 /** @type {Record<SurfaceProgress['stage'], string>} */

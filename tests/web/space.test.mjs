@@ -1,0 +1,152 @@
+// The parts of the page for surfaces that need no page: numbers for the graphics card, charts side by
+// side, surfaces by formula, links.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { light } from '../../web/draw/palette.js';
+import { fromFragment, presetWork, toFragment } from '../../web/space/model/link.js';
+import { areaOf, boxOf, inOrder, sizeFor } from '../../web/space/model/work.js';
+import { presets, surfaceOf } from '../../web/space/presets/presets.js';
+import { crossLines, edgesOfQuads, gather, irregularVertices, parts, qualityColours, trianglesOfQuads } from '../../web/space/view/geometry.js';
+import { layOut, quadsInPlanes } from '../../web/space/view/layout.js';
+import { pick } from '../../web/space/view/planes.js';
+import { portionAfter, shareOf, stageInWords } from '../../web/space/run/runner.js';
+
+const near = (a, b, tolerance = 1e-12) => assert.ok(Math.abs(a - b) <= tolerance, `${a} against ${b}`);
+
+/** Points that are equal become one; how often each edge is used each way. */
+function edgeUse({ points, triangles }) {
+  const names = new Map();
+  const name = (v) => {
+    const key = [0, 1, 2].map((k) => Math.round(1e6 * points[3 * v + k])).join();
+    if (!names.has(key)) names.set(key, names.size);
+    return names.get(key);
+  };
+  const use = new Map();
+  for (let t = 0; t < triangles.length; t += 3)
+    for (let k = 0; k < 3; ++k) {
+      const key = `${name(triangles[t + k])},${name(triangles[t + (k + 1) % 3])}`;
+      use.set(key, (use.get(key) ?? 0) + 1);
+    }
+  return { use, vertices: names.size };
+}
+
+for (const { id, make } of presets)
+  test(`preset ${id} is a manifold, oriented the same all over`, () => {
+    const shape = make();
+    const { use } = edgeUse(shape);
+    for (const [edge, count] of use) {
+      assert.equal(count, 1, `${edge} is there ${count} times in one direction`);
+    }
+    assert.ok(shape.points.every(Number.isFinite));
+    assert.ok(areaOf(surfaceOf(shape)) > 1);
+  });
+
+test('closed presets are closed, and of the right genus', () => {
+  for (const [id, euler] of [['torus', 0], ['knot', 0], ['blob', 2], ['gear', 0], ['bored', 0]]) {
+    const shape = presets.find((preset) => preset.id === id).make();
+    const { use, vertices } = edgeUse(shape);
+    for (const edge of use.keys()) assert.ok(use.has(edge.split(',').reverse().join()), `${id}: ${edge} is a border`);
+    assert.equal(vertices - use.size / 2 + shape.triangles.length / 3, euler, id);
+  }
+});
+
+test('a link opens to the same work', () => {
+  const work = { ...presetWork('gear'), options: { size: 0.07, keepGroups: false, effort: 'high' }, layers: inOrder(['quads', 'features']) };
+  const again = fromFragment(toFragment(work));
+  assert.deepEqual(again.options, work.options);
+  assert.deepEqual(again.layers, work.layers);
+  assert.equal(again.preset, 'gear');
+  assert.deepEqual(again.surface, work.surface);
+  assert.equal(toFragment({ ...work, preset: undefined }), '');
+  assert.equal(fromFragment('#preset=nobody').preset, presets[0].id);
+  assert.deepEqual(fromFragment('#preset=gear&layers=nothing.quads').layers, ['quads']);
+});
+
+test('a size gives the number of quads that it was asked for', () => {
+  const square = { points: Float64Array.of(0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0), triangles: Uint32Array.of(0, 1, 2, 0, 2, 3) };
+  near(areaOf(square), 4);
+  near(sizeFor(square, 400), 0.1);
+  assert.deepEqual(boxOf(square.points).middle, [1, 1, 0]);
+});
+
+
+test('quads are cut along their shorter diagonal', () => {
+  const kite = [0, 0, 0, 2, -1, 0, 4, 0, 0, 2, 1, 0];
+  assert.deepEqual([...trianglesOfQuads(kite, [0, 1, 2, 3])], [1, 2, 3, 1, 3, 0]);
+  assert.deepEqual([...gather(kite, [2, 0])], [4, 0, 0, 0, 0, 0]);
+});
+
+test('every edge of the quads is drawn once', () => {
+  const edges = edgesOfQuads([0, 1, 3, 4, 1, 2, 5, 3]);
+  const names = new Set();
+  for (let i = 0; i < edges.length; i += 2) names.add([edges[i], edges[i + 1]].sort().join());
+  assert.equal(edges.length / 2, 7);
+  assert.equal(names.size, 7);
+});
+
+test('irregular vertices are those off the features without four quads', () => {
+  const found = irregularVertices({ valence: Int32Array.of(4, 3, 5, 2, 7, 3, 0), edges: Uint32Array.of(5, 0) });
+  assert.deepEqual([...found].sort(([a], [b]) => a - b), [[-2, [3]], [-1, [1]], [1, [2]], [2, [4]]]);
+});
+
+test('a cross has four arms of the same reach in the plane of its triangle', () => {
+  const lines = crossLines({ points: [0, 0, 0, 3, 0, 0, 0, 3, 0], triangles: [0, 1, 2] }, [0.6, 0.8, 0], 0.5);
+  assert.equal(lines.length, 12);
+  for (let i = 0; i < 12; i += 6) near(Math.hypot(lines[i] - lines[i + 3], lines[i + 1] - lines[i + 4], lines[i + 2] - lines[i + 5]), 1, 1e-6);
+  near((lines[3] - lines[0]) * (lines[9] - lines[6]) + (lines[4] - lines[1]) * (lines[10] - lines[7]), 0, 1e-6);
+});
+
+test('the worst and the best quads have the ends of the ramp', () => {
+  const { quality } = light.ramps;
+  const [low, high] = qualityColours([0, 1], quality);
+  assert.deepEqual(low.map((x) => Math.round(255 * x)), quality[0]);
+  assert.deepEqual(high.map((x) => Math.round(255 * x)), quality.at(-1));
+  assert.deepEqual(parts('#ff0080').map((x) => Math.round(255 * x)), [255, 0, 128]);
+});
+
+// Three charts: unit squares of two triangles, the second ten times as large.
+const charts = Int32Array.of(0, 0, 1, 1, 2, 2);
+const uv = Float64Array.from([0, 1, 2].flatMap((c) => {
+  const s = c === 1 ? 10 : 1;
+  return [5, 5, 5 + s, 5, 5 + s, 5 + s, 5, 5, 5 + s, 5 + s, 5, 5 + s];
+}));
+
+test('charts lie side by side and do not touch', () => {
+  const { islands, width, height } = layOut({ charts, uv, cuts: new Uint32Array() }, 1.5);
+  assert.deepEqual(islands.map(({ chart }) => chart).sort(), [0, 1, 2]);
+  const boxes = islands.map(({ chart, left, top }) => ({ left, top, size: chart === 1 ? 10 : 1 }));
+  for (const a of boxes) {
+    assert.ok(a.left >= 0 && a.top >= 0 && a.left + a.size <= width + 1e-9 && a.top + a.size <= height + 1e-9);
+    for (const b of boxes) {
+      if (a === b) continue;
+      const apart = a.left + a.size < b.left || b.left + b.size < a.left || a.top + a.size < b.top || b.top + b.size < a.top;
+      assert.ok(apart);
+    }
+  }
+});
+
+test('a chart is found where it lies, and none between', () => {
+  const layout = layOut({ charts, uv, cuts: new Uint32Array() }, 1.5);
+  for (const { chart, left, top } of layout.islands) assert.equal(pick(uv, layout, left + 0.3, top + 0.6), chart);
+  assert.equal(pick(uv, layout, -1, -1), -1);
+});
+
+test('quads are drawn in the plane that all their corners lie in', () => {
+  const mesh = {
+    placeTriangles: Int32Array.of(0, 0, 0, 1, 2), placeWeights: Float64Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0),
+    quads: Uint32Array.of(0, 1, 2, 3, 1, 4, 2, 3),
+  };
+  const found = quadsInPlanes({ charts, uv, cuts: new Uint32Array() }, mesh);
+  assert.deepEqual([...found.keys()], [0]);
+  assert.deepEqual(found.get(0), [5, 5, 6, 5, 6, 6, 5, 6]);
+});
+
+test('the run is told in words and as a share', () => {
+  const run = { phase: 'running', work: null, frame: {}, result: null, error: null, state: { stage: 'mesh', tick: 9, chart: 3, charts: 6 } };
+  assert.equal(stageInWords(run), 'meshing charts: 3 of 6');
+  near(shareOf(run), 0.5);
+  assert.equal(shareOf({ ...run, phase: 'done' }), 1);
+  assert.equal(portionAfter(4, 10), 8);
+  assert.equal(portionAfter(4, 90), 2);
+  assert.equal(portionAfter(1, 90), 1);
+});
