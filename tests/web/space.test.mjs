@@ -142,7 +142,7 @@ test('quads are drawn in the plane that all their corners lie in', () => {
 });
 
 test('the run is told in words and as a share', () => {
-  const run = { phase: 'running', work: null, frame: {}, result: null, error: null, state: { stage: 'mesh', tick: 9, chart: 3, charts: 6 } };
+  const run = { phase: 'running', work: null, frame: {}, result: null, error: null, state: { stage: 'mesh', tick: 9, chart: 3, chartCount: 6 } };
   assert.equal(stageInWords(run), 'meshing charts: 3 of 6');
   near(shareOf(run), 0.5);
   assert.equal(shareOf({ ...run, phase: 'done' }), 1);

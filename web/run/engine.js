@@ -16,7 +16,7 @@ async function compileFrom(url) {
 }
 
 /** Compiled once; a failure is not remembered, so that trying again may help. */
-export function compile() {
+function compile() {
   compiled ??= compileFrom(simdUrl).catch(() => compileFrom(plainUrl));  // without SIMD
   compiled.catch(() => { compiled = undefined; });
   return compiled;

@@ -122,7 +122,7 @@ export function stageInWords({ phase, state, error }) {
   if (phase === 'cancelled') return 'cancelled';
   if (phase === 'idle' || state === null) return phase === 'idle' ? 'nothing to mesh yet' : 'loading the mesher';
   if (phase === 'done') return 'done';
-  const charts = state.stage === 'mesh' ? `: ${state.chart} of ${state.charts}` : '';
+  const charts = state.stage === 'mesh' ? `: ${state.chart} of ${state.chartCount}` : '';
   return `${names[state.stage]}${charts}`;
 }
 
@@ -131,5 +131,5 @@ export function shareOf({ phase, state }) {
   if (phase === 'done') return 1;
   if (state === null) return 0;
   const before = { features: 0, field: 0.05, charts: 0.15, mesh: 0.25, seams: 0.75, done: 1 }[state.stage];
-  return state.stage === 'mesh' && state.charts > 0 ? before + 0.5 * state.chart / state.charts : before;
+  return state.stage === 'mesh' && state.chartCount > 0 ? before + 0.5 * state.chart / state.chartCount : before;
 }
