@@ -1,30 +1,21 @@
 // axe-core finds nothing to object to, of any severity: in every tab, in every dialog, dark and
 // light, on a phone and on a desk.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
 import { finished, startPlayground } from './support.mjs';
+import { violations } from './violations.mjs';
 
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 let playground;
 before(async () => { playground = await startPlayground(); });
 after(() => playground.close());
 
-async function judge(page, what) {
-  const found = await page.evaluate(async () => {
-    const { violations } = await globalThis.axe.run(document, { resultTypes: ['violations'] });
-    return violations.map(({ id, impact, nodes }) => `${id} (${impact}): ${nodes.map(({ html, failureSummary }) => `${html.slice(0, 160)} ${failureSummary.split('\n')[1] ?? ''}`).join('\n    ')}`);
-  });
-  assert.deepEqual(found, [], what);
-}
+const judge = async (page, what) => assert.deepEqual(await violations(page), [], what);
 
 for (const width of [360, 1280])
   for (const dark of [false, true])
     test(`${width} px, ${dark ? 'dark' : 'light'}`, async () => {
       const page = await playground.open({ width, dark });
       await finished(page);
-      await page.evaluate(axe);
       for (const tab of await page.getByRole('tab').all()) {
         await tab.click();
         await page.evaluate(() => document.querySelectorAll('[role=tabpanel] details').forEach((details) => { details.open = true; }));

@@ -1,6 +1,6 @@
 // The Files tab: the mesh in every format that has room for a third coordinate, and a picture.
 /** @import { SpaceApp } from '../types' */
-/** @import { MeshFormat } from 'lpquad' */
+/** @import { SurfaceMeshFormat } from 'lpquad' */
 import { download } from '../../files/download.js';
 import { formats } from '../../files/formats.js';
 import { h } from '../../panels/dom.js';
@@ -29,7 +29,7 @@ export function installFilesTab(app) {
   void refresh();
 }
 
-/** @param {SpaceApp} app  @param {MeshFormat} format */
+/** @param {SpaceApp} app  @param {SurfaceMeshFormat} format */
 function row(app, format) {
   const { title, use } = formats[format] ?? { title: format.toUpperCase(), use: '' };
   return h('li', null, h('button', { type: 'button', 'data-format': format, 'aria-label': `Download .${format}`,
@@ -40,7 +40,7 @@ function row(app, format) {
 /** @param {SpaceApp} app */
 const fileName = ({ store }) => store.project.name.toLowerCase().replace(/\.[a-z0-9]+$/, '').replace(/[^a-z0-9]+/g, '-') || 'surface';
 
-/** @param {SpaceApp} app  @param {MeshFormat} format */
+/** @param {SpaceApp} app  @param {SurfaceMeshFormat} format */
 async function save(app, format) {
   const { result } = app.runner.run;
   if (result === null) return app.notify('There is a mesh to save once the run is done.');

@@ -1,0 +1,152 @@
+// The page for surfaces as a person uses it.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { startPlayground } from './support.mjs';
+import { violations } from './violations.mjs';
+
+let playground;
+before(async () => { playground = await startPlayground(); });
+after(() => playground.close());
+
+const patience = 180000;
+const over = (page) => page.locator('.stage-name', { hasText: /^done$/ }).waitFor({ timeout: patience });
+const run = (page) => page.evaluate(() => {
+  const { phase, result, frame } = globalThis.playground.runner.run;
+  return { phase, hash: result?.report.hash, quads: result?.report.quads, charts: frame.charts ? Math.max(...frame.charts.charts) + 1 : 0 };
+});
+
+async function openSpace(hash = '#preset=saddle&size=0.25', how = {}) {
+  const page = await playground.open({ ...how, hash: `space.html${hash}` });
+  await over(page);
+  return page;
+}
+
+/** An open box of two triangles a side, as ASCII STL. */
+function boxStl() {
+  const p = (i) => [i & 1, (i >> 1) & 1, (i >> 2) & 1].join(' ');
+  const sides = [[0, 2, 3, 1], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]];
+  const facet = (a, b, c) => `facet normal 0 0 0\nouter loop\nvertex ${p(a)}\nvertex ${p(b)}\nvertex ${p(c)}\nendloop\nendfacet\n`;
+  return `solid box\n${sides.map(([a, b, c, d]) => facet(a, b, c) + facet(a, c, d)).join('')}endsolid box\n`;
+}
+
+test('a preset is meshed at once, and every layer can be shown', async () => {
+  const page = await openSpace();
+  const { quads, charts } = await run(page);
+  assert.ok(quads > 50 && charts >= 1);
+  await page.getByRole('tab', { name: 'Layers' }).click();
+  for (const name of ['Surface', 'Sharp edges', 'Cross field', 'Charts', 'Quads', 'Quality η', 'Irregular vertices']) {
+    const button = page.locator('.layers').getByRole('button', { name, exact: true });
+    const was = await button.getAttribute('aria-pressed');
+    await button.click();
+    await page.locator(`.layers button[aria-pressed="${was === 'true' ? 'false' : 'true'}"]`, { hasText: name }).waitFor();
+  }
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('the picture changes when the surface is turned by key', async () => {
+  const page = await openSpace();
+  const canvas = page.locator('#space-view canvas');
+  const picture = () => page.evaluate(() => globalThis.playground.viewer.canvas.toDataURL());
+  const first = await picture();
+  await canvas.focus();
+  await page.keyboard.press('ArrowLeft');
+  await page.waitForFunction((old) => globalThis.playground.viewer.canvas.toDataURL() !== old, first);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('a chart that is pointed at lights up in both views', async () => {
+  const page = await openSpace('#preset=bored&size=0.2');
+  await page.keyboard.press('4');
+  await page.locator('#plane-view canvas').focus();
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await page.evaluate(() => globalThis.playground.pointed.chart), 0);
+  const place = await page.evaluate(() => {
+    const { x, y, width, height } = document.querySelector('#plane-view').getBoundingClientRect();
+    return { x, y, width, height };
+  });
+  let found = -1;
+  for (let i = 1; i < 20 && found < 0; ++i) {
+    await page.mouse.move(place.x + place.width * i / 20, place.y + place.height * 0.4);
+    found = await page.evaluate(() => globalThis.playground.pointed.chart);
+  }
+  assert.ok(found >= 0);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('an option is changed, undone, and said in the address', async () => {
+  const page = await openSpace();
+  const { hash, quads } = await run(page);
+  await page.getByRole('tab', { name: 'Mesh' }).click();
+  await page.locator('#option-size').fill('0.15');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction((old) => { const { phase, result } = globalThis.playground.runner.run; return phase === 'done' && result.report.quads > old; },
+    quads, { timeout: patience });
+  assert.match(await page.evaluate(() => location.hash), /preset=saddle&size=0\.15/);
+  await page.locator('header').getByRole('button', { name: 'Undo' }).click();
+  await page.waitForFunction((old) => globalThis.playground.runner.run.result?.report.hash === old, hash, { timeout: patience });
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('a file is opened, meshed and saved', async () => {
+  const page = await openSpace();
+  await page.locator('input[type=file]').setInputFiles({ name: 'box.stl', mimeType: 'model/stl', buffer: Buffer.from(boxStl()) });
+  await page.locator('#project-name', { hasText: 'box.stl' }).waitFor({ timeout: patience });
+  await over(page);
+  await page.getByRole('tab', { name: 'Files' }).click();
+  const [saved] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download .obj' }).click()]);
+  const text = readFileSync(await saved.path(), 'utf8');
+  assert.equal(saved.suggestedFilename(), 'box.obj');
+  assert.equal(text.match(/^f \d+ \d+ \d+ \d+$/gm).length, (await run(page)).quads);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('what cannot be read is said in words', async () => {
+  const page = await openSpace();
+  await page.locator('input[type=file]').setInputFiles({ name: 'x.stl', mimeType: 'model/stl', buffer: Buffer.from('solid nothing') });
+  await page.locator('.notice', { hasText: 'x.stl could not be opened' }).waitFor({ timeout: patience });
+  assert.equal((await run(page)).phase, 'done');
+  await page.context().close();
+});
+
+test('a surface that is opened in the plane goes to space, and a drawing back', async () => {
+  const page = await playground.open();
+  await page.locator('input[type=file]').first().setInputFiles({ name: 'box.stl', mimeType: 'model/stl', buffer: Buffer.from(boxStl()) });
+  await page.waitForURL(/space\.html/, { timeout: patience });
+  await page.locator('#project-name', { hasText: 'box.stl' }).waitFor({ timeout: patience });
+  const square = { loops: [[[0, 0], [1, 0], [1, 1], [0, 1]]] };
+  await page.locator('input[type=file]').first().setInputFiles({ name: 'square.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(square)) });
+  await page.waitForURL((url) => !url.pathname.endsWith('space.html'), { timeout: patience });
+  await page.locator('#announcer', { hasText: 'square.json opened' }).waitFor({ timeout: patience, state: 'attached' });
+  await page.context().close();
+});
+
+test('a run is cancelled at once, and begun again', async () => {
+  const page = await openSpace();
+  await page.evaluate(() => globalThis.playground.store.change('Size', { options: { size: 0.01 } }));
+  await page.locator('.stage-name', { hasText: /meshing|mapping|solving/ }).waitFor({ timeout: patience });
+  await page.keyboard.press('Escape');
+  await page.locator('.stage-name', { hasText: /^cancelled$/ }).waitFor({ timeout: 5000 });
+  await page.evaluate(() => globalThis.playground.store.change('Size', { options: { size: 0.3 } }));
+  await over(page);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+for (const [width, dark] of [[360, true], [1440, false]])
+  test(`nothing overflows at ${width} px, and axe finds nothing`, async () => {
+    const page = await openSpace('#preset=saddle&size=0.25', { width, height: 800, dark });
+    for (const tab of ['Surface', 'Mesh', 'Layers', 'Figures', 'Files']) {
+      await page.getByRole('tab', { name: tab }).click();
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
+      assert.ok(!wide, `${tab} overflows`);
+      assert.deepEqual(await violations(page), [], tab);
+    }
+    assert.deepEqual(page.errors, []);
+    await page.context().close();
+  });
