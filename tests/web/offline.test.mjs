@@ -34,6 +34,17 @@ test('after the first visit the page loads and meshes without a network', async 
   await page.context().close();
 });
 
+test('so does the page for space', async () => {
+  const page = await playground.open({ offline: true });
+  await finished(page);
+  await kept(page);
+  await page.context().setOffline(true);
+  await page.goto(`${playground.address}space.html#preset=saddle&size=0.25`);
+  await page.locator('.stage-name', { hasText: /^done$/ }).waitFor({ timeout: 180000 });
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
 test('a new version is shown at the next visit, and kept', async () => {
   const copy = mkdtempSync(join(tmpdir(), 'lpquad-site-'));
   cpSync(folder, copy, { recursive: true });

@@ -4,6 +4,7 @@
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { presets } from '../../web/sketch/presets.js';
+import { presets as surfaces } from '../../web/space/presets/presets.js';
 import { startPlayground } from './support.mjs';
 
 const [folder, only = ''] = process.argv.slice(2);
@@ -31,6 +32,10 @@ for (const { id } of presets)
   for (const [width, height] of Object.entries(widths))
     for (const dark of [false, true])
       await shoot(`preset-${id}-${width}-${dark ? 'dark' : 'light'}`, { hash: `#preset=${id}`, width: Number(width), height, dark });
+for (const { id } of surfaces)
+  for (const [width, height] of Object.entries(widths))
+    for (const dark of [false, true])
+      await shoot(`space-${id}-${width}-${dark ? 'dark' : 'light'}`, { hash: `space.html#preset=${id}`, width: Number(width), height, dark });
 const titles = ['domain', 'mesh', 'layers', 'figures', 'compare', 'files', 'learn'];
 for (const [width, height] of [...Object.entries(widths), ['3840', 2160]])
   for (const dark of [false, true])

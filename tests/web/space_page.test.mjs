@@ -35,7 +35,7 @@ test('a preset is meshed at once, and every layer can be shown', async () => {
   const { quads, charts } = await run(page);
   assert.ok(quads > 50 && charts >= 1);
   await page.getByRole('tab', { name: 'Layers' }).click();
-  for (const name of ['Surface', 'Sharp edges', 'Cross field', 'Charts', 'Quads', 'Quality η', 'Irregular vertices']) {
+  for (const name of ['Surface', 'Sharp edges', 'Cross field', 'Charts', 'Cells', 'Quads', 'Quality η', 'Irregular vertices']) {
     const button = page.locator('.layers').getByRole('button', { name, exact: true });
     const was = await button.getAttribute('aria-pressed');
     await button.click();
@@ -122,7 +122,7 @@ test('a surface that is opened in the plane goes to space, and a drawing back', 
   const square = { loops: [[[0, 0], [1, 0], [1, 1], [0, 1]]] };
   await page.locator('input[type=file]').first().setInputFiles({ name: 'square.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(square)) });
   await page.waitForURL((url) => !url.pathname.endsWith('space.html'), { timeout: patience });
-  await page.locator('#announcer', { hasText: 'square.json opened' }).waitFor({ timeout: patience, state: 'attached' });
+  await page.waitForFunction(() => globalThis.playground?.store.project.name.startsWith('square'), null, { timeout: patience });
   await page.context().close();
 });
 
@@ -134,6 +134,48 @@ test('a run is cancelled at once, and begun again', async () => {
   await page.locator('.stage-name', { hasText: /^cancelled$/ }).waitFor({ timeout: 5000 });
   await page.evaluate(() => globalThis.playground.store.change('Size', { options: { size: 0.3 } }));
   await over(page);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('the cells of a chart are seen step by step, in both views', async () => {
+  const page = await openSpace();
+  await page.evaluate(() => globalThis.playground.store.change('Size', { options: { size: 0.2 } }));
+  await page.waitForFunction(() => globalThis.playground.runner.run.phase === 'running');
+  await page.keyboard.press('Space');
+  await page.locator('.stage-name', { hasText: /paused/ }).waitFor({ timeout: patience });
+  while (await page.evaluate(() => globalThis.playground.runner.run.frame.cells === undefined)) {
+    await page.keyboard.press('.');
+    await page.waitForTimeout(50);
+  }
+  const { chart, pieces, points } = await page.evaluate(() => {
+    const { cells } = globalThis.playground.runner.run.frame;
+    return { chart: cells.chart, pieces: cells.sites.length, points: cells.points.length / 3 };
+  });
+  assert.equal(chart, 0);
+  assert.ok(pieces > 50 && points > 3 * pieces);
+  assert.ok(await page.evaluate(() => globalThis.playground.layers().has('cells')));
+  await page.keyboard.press('Space');
+  await over(page);
+  assert.equal(await page.evaluate(() => globalThis.playground.runner.run.frame.cells), undefined);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('without WebGL the page says so, and meshes, shows charts and saves all the same', async () => {
+  const page = await playground.open({ hash: 'space.html#preset=saddle&size=0.25' });
+  await page.addInitScript(() => {
+    const get = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return /webgl/.test(kind) ? null : get.call(this, kind, ...more); };
+  });
+  await page.reload();
+  await page.getByText('no WebGL').waitFor();
+  await over(page);
+  assert.ok((await run(page)).quads > 50);
+  assert.ok(await page.locator('#plane-view canvas').isVisible());
+  await page.getByRole('tab', { name: 'Files' }).click();
+  await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download .obj' }).click()]);
+  assert.deepEqual(await violations(page), []);
   assert.deepEqual(page.errors, []);
   await page.context().close();
 });

@@ -24,7 +24,7 @@ import { Viewer } from './view/viewer.js';
 const element = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
 const store = new Store(fromFragment(location.hash));
-const runner = new SurfaceRunner(createEngine);
+const runner = new SurfaceRunner(createEngine, () => !matchMedia('(prefers-reduced-motion: reduce)').matches);
 
 /** @type {SpaceApp} */
 const app = {
@@ -51,6 +51,9 @@ actions.add(
   { id: 'view.fit', label: 'Show all', icon: 'fit', keys: ['F'], run: () => viewer.fit() },
   { id: 'view.in', label: 'Nearer', icon: 'zoomIn', keys: ['+'], run: () => viewer.zoom(1 / 1.2) },
   { id: 'view.out', label: 'Farther', icon: 'zoomOut', keys: ['-'], run: () => viewer.zoom(1.2) },
+  { id: 'run.pause', label: 'Pause', icon: () => (runner.run.paused ? 'play' : 'pause'), keys: ['Space'], enabled: () => runner.run.phase === 'running',
+    pressed: () => runner.run.paused, run: () => runner.pause(!runner.run.paused) },
+  { id: 'run.step', label: 'One step', icon: 'step', keys: ['.'], enabled: () => runner.run.phase === 'running', run: () => runner.step() },
   { id: 'run.cancel', label: 'Cancel', icon: 'cancel', keys: ['Escape'], enabled: () => runner.run.phase === 'running', run: () => runner.cancel() },
   { id: 'run.again', label: 'Run again', icon: 'again', keys: ['R'], run: () => void runner.start(store.project) },
   { id: 'panel.next', label: 'Next panel', keys: [']'], run: () => app.tabs.turn(1) },
@@ -68,7 +71,7 @@ installFilesTab(app);
 element('header-actions').append(...['edit.undo', 'edit.redo', 'view.fit', 'page.theme', 'page.help'].map((id) => actions.button(id)));
 
 const progress = h('progress', { max: 1, 'aria-label': 'Progress' }), stageName = h('span', { className: 'stage-name' });
-element('timeline').append(actions.button('run.again'), actions.button('run.cancel'), progress, stageName);
+element('timeline').append(actions.button('run.again'), actions.button('run.pause'), actions.button('run.step'), actions.button('run.cancel'), progress, stageName);
 
 const refreshPlanes = installPlanes(app, element('plane-view'));
 const refreshScene = installScene(app);

@@ -7,7 +7,7 @@ import type { Store } from '../state/store.js';
 import type { SurfaceRunner } from './run/runner.js';
 import type { Viewer } from './view/viewer.js';
 
-export type SpaceLayer = 'surface' | 'features' | 'charts' | 'crosses' | 'quads' | 'quality' | 'valence';
+export type SpaceLayer = 'surface' | 'features' | 'charts' | 'cells' | 'crosses' | 'quads' | 'quality' | 'valence';
 
 /** What a person works on. Immutable; undo is going back to an old one. */
 export interface Work {
@@ -31,6 +31,7 @@ export interface SurfaceRun {
   frame: Partial<SurfaceSnapshot>;
   result: SurfaceMeshResult | null;
   error: { code: string; message: string } | null;
+  paused: boolean;
 }
 
 /** What the parts of this page are given. */

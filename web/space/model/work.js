@@ -11,10 +11,12 @@ export const layerNames = [
     what: 'The directions that the sides of the quads should have, and where that cannot be everywhere.' },
   { name: 'charts', key: '4', title: 'Charts',
     what: 'The parts that are mapped to the plane, each by itself; there the quads are made.' },
-  { name: 'quads', key: '5', title: 'Quads', what: 'The mesh.' },
-  { name: 'quality', key: '6', title: 'Quality η',
+  { name: 'cells', key: '5', title: 'Cells',
+    what: 'In the chart that is meshed now: the cell of every vertex, coloured by its energy. Squares have the least.' },
+  { name: 'quads', key: '6', title: 'Quads', what: 'The mesh.' },
+  { name: 'quality', key: '7', title: 'Quality η',
     what: 'How near the corners of a quad are to right angles: 1 is a rectangle.' },
-  { name: 'valence', key: '7', title: 'Irregular vertices',
+  { name: 'valence', key: '8', title: 'Irregular vertices',
     what: 'Vertices where fewer or more than four quads meet.' },
 ];
 
@@ -26,7 +28,8 @@ export function inOrder(some) {
 
 /** What tells most at this stage. @param {SurfaceRun} run  @returns {SpaceLayer[]} */
 export function layersFor({ frame }) {
-  if (frame.quads) return ['features', 'quads', 'valence'];
+  if (frame.quads && !frame.cells) return ['features', 'quads', 'valence'];
+  if (frame.cells) return ['features', 'cells', 'quads'];
   if (frame.charts) return ['features', 'charts'];
   if (frame.crosses) return ['surface', 'features', 'crosses'];
   return ['surface', 'features'];

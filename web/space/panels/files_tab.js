@@ -9,9 +9,8 @@ import { icon } from '../../panels/icons.js';
 /** @param {SpaceApp} app */
 export function installFilesTab(app) {
   const { actions, runner, viewer } = app;
-  actions.add({ id: 'file.picture', label: 'Picture as PNG', icon: 'picture', run: () => viewer.canvas.toBlob((blob) => {
-    if (blob) download(`${fileName(app)}.png`, blob, 'image/png');
-  }) });
+  actions.add({ id: 'file.picture', label: 'Picture as PNG', icon: 'picture', enabled: () => viewer.renderer !== null,
+    run: () => viewer.canvas.toBlob((blob) => { if (blob) download(`${fileName(app)}.png`, blob, 'image/png'); }) });
   const list = h('ul', { className: 'formats' });
   const reason = h('p', { className: 'reason', id: 'export-reason' });
   app.tabs.add('files', 'Files', h('section', null, h('h2', null, 'Mesh'), reason, list),

@@ -2,6 +2,7 @@
 /** @import { LegendItem } from '../../draw/legend.js' */
 /** @import { SpaceApp, SpaceLayer, SurfaceRun } from '../types' */
 /** @import { Palette } from '../../types' */
+import { highestDensity } from '../../draw/layers/cells.js';
 import { counted, short } from '../../draw/legend.js';
 import { markOf } from '../../draw/marks.js';
 import { dark, light } from '../../draw/palette.js';
@@ -58,6 +59,9 @@ const legends = {
   crosses: ({ frame }, palette) => (frame.crosses
     ? [{ kind: 'line', colour: palette.accent, width: 1.25, text: 'directions of the sides' }, ...singularities(frame.crosses.indices, palette)]
     : notYet),
+  cells: ({ frame }, palette) => (frame.cells
+    ? [{ kind: 'ramp', ramp: palette.ramps.density, low: '1', high: `≥ ${highestDensity}`, of: 'energy per area; a square has 1' }]
+    : [{ kind: 'text', text: 'While a chart is meshed.' }]),
   quads: ({ frame }, palette) => (frame.quads
     ? [{ kind: 'line', colour: palette.ink, width: 1, text: counted(frame.quads.quads.length / 4, 'quad') }] : notYet),
   quality: ({ frame }, palette) => {

@@ -1,17 +1,22 @@
 // One run of the surface mesher in a worker: its knowledge is one value, `run`, replaced at every
 // step and told to whoever listens.
-/** @import { LpquadWorker } from 'lpquad/worker' */
+/** @import { LpquadWorker, WorkerSurfaceSession } from 'lpquad/worker' */
 /** @import { SurfaceLayers, SurfaceProgress } from 'lpquad' */
 /** @import { SurfaceRun, Work } from '../types' */
 
 /** @type {SurfaceRun} */
-const nothing = { phase: 'idle', work: null, state: null, frame: {}, result: null, error: null };
+const nothing = { phase: 'idle', work: null, state: null, frame: {}, result: null, error: null, paused: false };
 
 /** What can be seen first after each stage. @type {Record<string, SurfaceLayers>} */
 const layersAfter = {
   features: { features: true, sizes: true }, field: { crosses: true }, charts: { charts: true }, mesh: { quads: true }, seams: { quads: true },
 };
 
+const pictures = 20;         // of the cells in one chart
+const cellsFor = 5000;       // milliseconds for the first ones of all charts together
+const longest = 500;         // for the first one of a chart
+const next = 60;             // for each of the others
+const mostWatching = 15000;  // of all pictures of a run together, drawing included, which may be slow
 const pictureEvery = 40;  // milliseconds of meshing between two looks
 
 export class SurfaceRunner {
@@ -23,9 +28,14 @@ export class SurfaceRunner {
   #engine = null;
   #generation = 0;
 
-  /** @param {() => Promise<LpquadWorker>} createEngine */
-  constructor(createEngine) {
+  /** Lets a run that waits go on. */
+  #release = () => {};
+
+  /** @param {() => Promise<LpquadWorker>} createEngine
+   * @param {() => boolean} [watched]  whether charts are meshed slowly enough to see their cells */
+  constructor(createEngine, watched = () => false) {
     this.createEngine = createEngine;
+    this.watched = watched;
   }
 
   /** The worker; another one after it was ended. */
@@ -51,11 +61,24 @@ export class SurfaceRunner {
   cancel() {
     if (this.run.phase !== 'running') return;
     this.#drop();
-    this.#become({ phase: 'cancelled' });
+    this.#become({ phase: 'cancelled', paused: false });
+  }
+
+  /** Holds the run, or lets it go on. @param {boolean} [paused] */
+  pause(paused = true) {
+    if (this.run.phase !== 'running') return;
+    this.#become({ paused });
+    this.#release();
+  }
+
+  /** One tick; the run waits after it. */
+  step() {
+    this.pause();
   }
 
   #drop() {
     ++this.#generation;
+    this.#release();
     const engine = this.#engine;
     this.#engine = null;
     engine?.then((worker) => worker.terminate(), () => {});
@@ -81,30 +104,57 @@ export class SurfaceRunner {
       await this.#steps(session, wanted);
       if (!wanted()) return;
       const result = await session.finish();
-      if (wanted()) this.#become({ phase: 'done', result, state: session.state });
+      if (wanted()) this.#become({ phase: 'done', paused: false, result, state: session.state });
     } finally {
       void session.dispose();
     }
   }
 
-  /** @param {import('lpquad/worker').WorkerSurfaceSession} session  @param {() => boolean} wanted */
+  /** @param {WorkerSurfaceSession} session  @param {() => boolean} wanted */
   async #steps(session, wanted) {
-    const look = async (/** @type {SurfaceLayers} */ layers) => {
-      const seen = await session.snapshot(layers);
-      if (wanted()) this.#become({ state: session.state, frame: { ...this.run.frame, ...seen } });
-    };
-    await look({ surface: true });
+    await this.#look(session, wanted, { surface: true });
+    const watching = { left: pictures, spent: 0 };
     for (let portion = 1; wanted() && session.state.stage !== 'done';) {
+      if (this.run.paused) await new Promise((resolve) => { this.#release = () => resolve(undefined); });
       const before = session.state, began = performance.now();
-      const state = await session.step(before.stage === 'mesh' ? portion : 1);
-      const over = state.stage !== before.stage;
-      if (over) portion = 1;
-      else portion = portionAfter(portion, performance.now() - began);
-      if (over || state.chart !== before.chart) await look(layersAfter[before.stage] ?? {});
+      const shown = before.stage === 'mesh' && (this.run.paused || (watching.left > 0 && watching.spent < mostWatching && this.watched()));
+      const state = await session.step(before.stage === 'mesh' && !shown ? portion : 1);
+      const over = state.stage !== before.stage, between = over || state.chart !== before.chart;
+      portion = over || shown ? 1 : portionAfter(portion, performance.now() - began);
+      if (between) [watching.left, portion] = [pictures, 1];
+      if (between) await this.#look(session, wanted, layersAfter[before.stage] ?? {});
+      else if (shown) await this.#lookAtCells(session, wanted, watching);
       else if (wanted()) this.#become({ state });
+      if (shown && !this.run.paused) watching.spent += performance.now() - began;
     }
   }
+
+  /** @param {WorkerSurfaceSession} session  @param {() => boolean} wanted  @param {SurfaceLayers} layers */
+  async #look(session, wanted, layers) {
+    const seen = await session.snapshot(layers);
+    if (!wanted()) return;
+    const cells = seen.cells?.sites.length ? seen.cells : undefined;
+    this.#become({ state: session.state, frame: { ...this.run.frame, ...seen, cells } });
+  }
+
+  /** For as long as the cells move. @param {WorkerSurfaceSession} session  @param {() => boolean} wanted
+   * @param {{left: number}} watching  so many pictures of this chart */
+  async #lookAtCells(session, wanted, watching) {
+    const { cells: old } = this.run.frame;
+    await this.#look(session, wanted, { cells: true });
+    const { cells } = this.run.frame;
+    if (!cells || this.run.paused) return;
+    if (old?.chart === cells.chart && sameNumbers(old.uv, cells.uv)) {
+      watching.left = 0;
+      return;
+    }
+    await new Promise((resolve) => setTimeout(resolve, watching.left < pictures ? next : Math.min(longest, cellsFor / session.state.chartCount)));
+    --watching.left;
+  }
 }
+
+/** @param {Float64Array} a  @param {Float64Array} b */
+const sameNumbers = (a, b) => a.length === b.length && a.every((x, i) => x === b[i]);
 
 /** More steps at once while they are quick. @param {number} portion  @param {number} took */
 export const portionAfter = (portion, took) =>
@@ -117,13 +167,13 @@ const names = {
 };
 
 /** Where the run is, in words. @param {SurfaceRun} run */
-export function stageInWords({ phase, state, error }) {
+export function stageInWords({ phase, state, error, paused }) {
   if (phase === 'failed') return `failed: ${error?.code ?? ''}`;
   if (phase === 'cancelled') return 'cancelled';
   if (phase === 'idle' || state === null) return phase === 'idle' ? 'nothing to mesh yet' : 'loading the mesher';
   if (phase === 'done') return 'done';
   const charts = state.stage === 'mesh' ? `: ${state.chart} of ${state.chartCount}` : '';
-  return `${names[state.stage]}${charts}`;
+  return `${names[state.stage]}${charts}${paused ? ' (paused)' : ''}`;
 }
 
 /** Between 0 and 1. @param {SurfaceRun} run */

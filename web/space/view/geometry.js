@@ -2,9 +2,10 @@
 // drawing library. Pure.
 /** @import { Palette, Ramp } from '../../types' */
 /** @import { SurfaceSnapshot } from 'lpquad' */
+import { highestDensity, relativeDensity } from '../../draw/layers/cells.js';
 import { shadesOf, shadeCount } from '../../draw/palette.js';
 
-/** @typedef {{positions: Float32Array, colours?: Float32Array}} Shape */
+const norm = 6;  // the p of the energy in charts
 
 /** Three numbers of each of the vertices, one after the other.
  * @param {ArrayLike<number>} points  @param {ArrayLike<number>} vertices */
@@ -75,6 +76,32 @@ export function qualityColours(eta, ramp, lowest = 0.4) {
     const t = Math.max(0, Math.min(1, (value - lowest) / (1 - lowest)));
     return shades[Math.round(t * (shadeCount - 1))];
   });
+}
+
+/** @typedef {NonNullable<SurfaceSnapshot['cells']>} Cells */
+
+/** The colour of each piece of a cell, by its energy. @param {Cells} cells  @param {Ramp} ramp  @returns {string[]} CSS */
+export function cellColours(cells, ramp) {
+  const shades = shadesOf(ramp).css;
+  const relative = relativeDensity(/** @type {any} */ ({ ...cells, points: cells.uv }), undefined, norm);
+  return Array.from(cells.sites, (site) => {
+    const t = Math.log(Math.max(1, relative[site])) / Math.log(highestDensity);
+    return shades[Math.round(Math.min(1, t) * (shadeCount - 1))];
+  });
+}
+
+/** Triangles of the pieces, from the first corner of each, and their borders. @param {Cells} cells */
+export function meshOfCells({ offsets }) {
+  /** @type {number[]} */
+  const triangles = [], pieces = [], edges = [];
+  for (let i = 0; i + 1 < offsets.length; ++i)
+    for (let k = offsets[i]; k < offsets[i + 1]; ++k) {
+      edges.push(k, k + 1 < offsets[i + 1] ? k + 1 : offsets[i]);
+      if (k < offsets[i] + 2) continue;
+      triangles.push(offsets[i], k - 1, k);
+      pieces.push(i);
+    }
+  return { triangles, pieces, edges };
 }
 
 /** Little crosses at the middles of triangles, both arms tangent; thinned out evenly to `most`.

@@ -11,7 +11,7 @@ import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { cornersOf, markOf } from '../../draw/marks.js';
 import {
-  chartColour, crossLines, edgesOfQuads, gather, irregularVertices, parts, perCorner, qualityColours, trianglesOfQuads,
+  cellColours, chartColour, crossLines, edgesOfQuads, gather, irregularVertices, meshOfCells, parts, perCorner, qualityColours, trianglesOfQuads,
 } from './geometry.js';
 
 const markSize = 13;  // pixels
@@ -76,8 +76,9 @@ function marks(positions, palette, excess, hollow) {
 /** @typedef {import('lpquad').Surface} SurfaceLayer */
 
 /** The triangles; by chart, or all alike. @param {SurfaceLayer} surface  @param {Palette} palette  @param {boolean} dark
- * @param {ArrayLike<number>} [charts]  @param {number} [pointed] */
-export function surfaceObject({ points, triangles }, palette, dark, charts, pointed = -1) {
+ * @param {ArrayLike<number>} [charts]  @param {number} [pointed]
+ * @param {(triangle: number) => boolean} [left]  left out: they shrink to nothing, so that the others keep their numbers */
+export function surfaceObject({ points, triangles }, palette, dark, charts, pointed = -1, left = () => false) {
   const plain = parts(dark ? '#33475c' : '#dbe4ee');
   const accent = parts(palette.accent);
   const colour = (/** @type {number} */ t) => {
@@ -85,7 +86,8 @@ export function surfaceObject({ points, triangles }, palette, dark, charts, poin
     return charts[t] === pointed ? accent : chartColour(charts[t], dark);
   };
   const colours = Array.from({ length: triangles.length / 3 }, (_, t) => colour(t));
-  return faces(gather(points, triangles), perCorner(colours, 3), 2);
+  const corners = Uint32Array.from(triangles, (vertex, i) => (left(Math.floor(i / 3)) ? 0 : vertex));
+  return faces(gather(points, corners), perCorner(colours, 3), 2);
 }
 
 /** @param {SurfaceLayer} surface  @param {NonNullable<SurfaceSnapshot['features']>} features  @param {Palette} palette */
@@ -103,6 +105,14 @@ export function crossObject(surface, { axes, singularities, indices }, size, pal
     if (vertices.length > 0) group.add(marks(gather(surface.points, vertices), palette, -sign, true));
   }
   return group;
+}
+
+/** @param {NonNullable<SurfaceSnapshot['cells']>} cells  @param {Palette} palette */
+export function cellObject(cells, palette) {
+  const { triangles, pieces, edges } = meshOfCells(cells);
+  const colours = cellColours(cells, palette.ramps.density).map(parts);
+  return new Group().add(faces(gather(cells.points, triangles), perCorner(pieces.map((i) => colours[i]), 3), 1),
+    thin(gather(cells.points, edges), palette.faint));
 }
 
 /** @param {NonNullable<SurfaceSnapshot['quads']>} quads  @param {Palette} palette  @param {boolean} dark

@@ -2,7 +2,7 @@
 /** @import { SpaceApp } from '../types' */
 /** @import { Layout } from './layout.js' */
 import { dark, light } from '../../draw/palette.js';
-import { chartColour } from './geometry.js';
+import { cellColours, chartColour } from './geometry.js';
 import { layOut, quadsInPlanes } from './layout.js';
 
 const margin = 12;
@@ -68,9 +68,9 @@ export function installPlanes(app, element) {
 
 /** @param {CanvasRenderingContext2D} context
  * @param {{charts: NonNullable<import('lpquad').SurfaceSnapshot['charts']>, layout: Layout}} planes  @param {SpaceApp} app */
-function drawPlanes(context, { charts, layout }, { pointed, runner, themes }) {
+function drawPlanes(context, { charts, layout }, { layers, pointed, runner, themes }) {
   const palette = themes.dark ? dark : light;
-  const { result } = runner.run;
+  const { result, frame: { cells } } = runner.run;
   const quads = result ? quadsInPlanes(charts, result) : null;
   for (const { chart, triangles, shift } of layout.islands) {
     context.save();
@@ -87,8 +87,23 @@ function drawPlanes(context, { charts, layout }, { pointed, runner, themes }) {
     if (quads) for (let q = 0; q < of.length; q += 8) traceLoop(context, of, q, 4);
     else for (const t of triangles) traceLoop(context, charts.uv, 6 * t, 3);
     context.stroke();
+    if (cells?.chart === chart && layers().has('cells')) drawCells(context, cells, palette);
     context.restore();
   }
+}
+
+/** @param {CanvasRenderingContext2D} context  @param {import('./geometry.js').Cells} cells  @param {import('../../types').Palette} palette */
+function drawCells(context, cells, palette) {
+  const { offsets, uv } = cells;
+  context.globalAlpha = 1;
+  context.strokeStyle = palette.faint;
+  cellColours(cells, palette.ramps.density).forEach((colour, i) => {
+    context.fillStyle = colour;
+    context.beginPath();
+    traceLoop(context, uv, 2 * offsets[i], offsets[i + 1] - offsets[i]);
+    context.fill();
+    context.stroke();
+  });
 }
 
 /** @param {CanvasRenderingContext2D} context  @param {ArrayLike<number>} uv  @param {number} at  @param {number} corners */

@@ -3,7 +3,7 @@
 /** @import { Palette } from '../../types' */
 import { dark, light } from '../../draw/palette.js';
 import { boxOf } from '../model/work.js';
-import { crossObject, cutObject, featureObject, irregularObject, quadObject, surfaceObject } from './objects.js';
+import { cellObject, crossObject, cutObject, featureObject, irregularObject, quadObject, surfaceObject } from './objects.js';
 
 /**
  * A part of the picture: what it depends on, and how it is made; null: it is not there.
@@ -44,9 +44,9 @@ function partsOf(app, { frame, work }) {
   const palette = app.themes.dark ? dark : light;
   // Before the mesher has repaired it: the surface as it was read.
   const surface = work?.surface === app.store.project.surface && frame.surface ? frame.surface : app.store.project.surface;
-  const { charts, crosses, features, quads } = work?.surface === app.store.project.surface ? frame : {};
+  const { cells, charts, crosses, features, quads } = work?.surface === app.store.project.surface ? frame : {};
   return {
-    ...below(app, on, surface, charts, quads, palette),
+    ...below(app, on, surface, { cells, charts, quads }, palette),
     features: part([on.has('features'), surface, features, palette], () => (features ? featureObject(surface, features, palette) : null)),
     crosses: part([on.has('crosses'), crosses, palette],
       () => (crosses ? crossObject(surface, crosses, Number(app.store.project.options.size) || 1, palette) : null)),
@@ -55,14 +55,18 @@ function partsOf(app, { frame, work }) {
 }
 
 /** Faces and the lines on them. @param {SpaceApp} app  @param {ReadonlySet<SpaceLayer>} on
- * @param {Work['surface']} surface  @param {SurfaceRun['frame']['charts']} charts
- * @param {SurfaceRun['frame']['quads']} quads  @param {Palette} palette  @returns {Record<string, Part>} */
-function below({ pointed, themes, runner }, on, surface, charts, quads, palette) {
+ * @param {Work['surface']} surface  @param {SurfaceRun['frame']} frame  @param {Palette} palette  @returns {Record<string, Part>} */
+function below({ pointed, themes, runner }, on, surface, { cells, charts, quads }, palette) {
   const [byChart, lines, quality] = [on.has('charts') && charts !== undefined, on.has('quads'), on.has('quality')];
   const covered = runner.run.phase === 'done' && quads !== undefined && (lines || quality);
+  // Where cells or quads of a chart are drawn, the triangles below would stick out where it is round.
+  const meshed = quads !== undefined && !byChart && (lines || quality) ? runner.run.state?.chart ?? 0 : 0;
+  const celled = on.has('cells') && cells !== undefined ? cells.chart : -1;
+  const left = (/** @type {number} */ t) => charts !== undefined && (charts.charts[t] < meshed || charts.charts[t] === celled);
   return {
-    surface: part([on.has('surface') || byChart || !covered, surface, byChart && charts, pointed.chart, palette],
-      () => surfaceObject(surface, palette, themes.dark, byChart ? charts?.charts : undefined, pointed.chart)),
+    surface: part([on.has('surface') || byChart || !covered, surface, byChart && charts, pointed.chart, palette, !on.has('surface') && meshed, celled],
+      () => surfaceObject(surface, palette, themes.dark, byChart ? charts?.charts : undefined, pointed.chart, on.has('surface') ? undefined : left)),
+    cells: part([celled >= 0, cells, palette], () => (cells ? cellObject(cells, palette) : null)),
     cuts: part([byChart, charts, palette], () => (charts ? cutObject(surface, charts, palette) : null)),
     quads: part([lines || quality, quads, quality, lines, byChart, palette],
       () => (quads ? quadObject(quads, palette, themes.dark, { quality, lines, faces: quality || !byChart }) : null)),

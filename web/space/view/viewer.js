@@ -4,10 +4,20 @@ import {
   AmbientLight, ColorManagement, DirectionalLight, LinearSRGBColorSpace, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { h } from '../../panels/dom.js';
 
 ColorManagement.enabled = false;  // colours are shown as the palette has them
 
 const turn = Math.PI / 24, zoomStep = 1.15, tapReach = 4;
+
+/** null without WebGL. @param {HTMLCanvasElement} canvas */
+function rendererFor(canvas) {
+  if (!document.createElement('canvas').getContext('webgl2')) return null;
+  const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+  renderer.outputColorSpace = LinearSRGBColorSpace;
+  renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+  return renderer;
+}
 
 export class Viewer {
   /** @type {Map<string, Object3D>} */
@@ -23,9 +33,8 @@ export class Viewer {
   constructor(element) {
     this.element = element;
     this.canvas = /** @type {HTMLCanvasElement} */ (element.querySelector('canvas'));
-    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
-    this.renderer.outputColorSpace = LinearSRGBColorSpace;
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.renderer = rendererFor(this.canvas);
+    if (this.renderer === null) this.#excuse();
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(35, 1, 0.01, 100);
     this.camera.up.set(0, 0, 1);
@@ -34,6 +43,13 @@ export class Viewer {
     this.controls.addEventListener('change', () => this.invalidate());
     this.#listen();
     new ResizeObserver(() => this.#resize()).observe(element);
+  }
+
+  /** There is nothing to see in space; all else works. */
+  #excuse() {
+    this.canvas.hidden = true;
+    this.element.append(h('p', { className: 'without-space' }, 'This browser has no WebGL, so the surface cannot be shown in space. '
+      + 'It is meshed all the same: charts, figures and files are there.'));
   }
 
   /** A headlight from the upper left, and enough of everything else. */
@@ -127,7 +143,7 @@ export class Viewer {
   #resize() {
     const { width, height } = this.element.getBoundingClientRect();
     if (width === 0 || height === 0) return;
-    this.renderer.setSize(width, height, false);
+    this.renderer?.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.#paint();  // at once: a canvas that changed its size is empty
@@ -141,6 +157,6 @@ export class Viewer {
 
   #paint() {
     this.#scheduled = false;
-    this.renderer.render(this.scene, this.camera);
+    this.renderer?.render(this.scene, this.camera);
   }
 }
