@@ -2,11 +2,15 @@
 // side, surfaces by formula, links.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { createLpquad } from '../../dist/node.js';
 import { light } from '../../web/draw/palette.js';
+import { sourceOf, surfaceObj, toCommand, toJavaScript } from '../../web/space/model/code.js';
 import { fromFragment, presetWork, toFragment } from '../../web/space/model/link.js';
 import { areaOf, boxOf, inOrder, sizeFor } from '../../web/space/model/work.js';
 import { presets, surfaceOf } from '../../web/space/presets/presets.js';
-import { crossLines, edgesOfQuads, gather, irregularVertices, parts, qualityColours, trianglesOfQuads } from '../../web/space/view/geometry.js';
+import {
+  cellColours, crossLines, edgesOfQuads, gather, irregularVertices, meshOfCells, parts, qualityColours, trianglesOfQuads,
+} from '../../web/space/view/geometry.js';
 import { layOut, quadsInPlanes } from '../../web/space/view/layout.js';
 import { pick } from '../../web/space/view/planes.js';
 import { portionAfter, shareOf, stageInWords } from '../../web/space/run/runner.js';
@@ -135,10 +139,21 @@ test('quads are drawn in the plane that all their corners lie in', () => {
   const mesh = {
     placeTriangles: Int32Array.of(0, 0, 0, 1, 2), placeWeights: Float64Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0),
     quads: Uint32Array.of(0, 1, 2, 3, 1, 4, 2, 3),
+    surface: { triangles: Uint32Array.of(0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7, 8, 9, 10, 8, 10, 11) },
   };
   const found = quadsInPlanes({ charts, uv, cuts: new Uint32Array() }, mesh);
   assert.deepEqual([...found.keys()], [0]);
   assert.deepEqual(found.get(0), [5, 5, 6, 5, 6, 6, 5, 6]);
+});
+
+test('on the border of two charts a corner has a place in either', () => {
+  // Two triangles of a square, each a chart of its own; a quad whose diagonal is the border.
+  const mesh = { placeTriangles: Int32Array.of(1, 0, 1, 0), placeWeights: Float64Array.of(0.9, 0.1, 0, 0.8, 0.2, 0, 0.1, 0.9, 0, 0.2, 0.2, 0.6),
+    quads: Uint32Array.of(0, 1, 3, 2), surface: { triangles: Uint32Array.of(0, 1, 2, 0, 2, 3) } };
+  const flat = Float64Array.of(0, 0, 1, 0, 1, 1, 5, 0, 6, 1, 5, 1);
+  const found = quadsInPlanes({ charts: Int32Array.of(0, 1), uv: flat, cuts: new Uint32Array() }, mesh);
+  assert.deepEqual([...found.keys()], [0]);
+  [0.1, 0.1, 0.2, 0, 0.8, 0.6, 0.9, 0.9].forEach((x, i) => near(found.get(0)[i], x));
 });
 
 test('the run is told in words and as a share', () => {
@@ -149,4 +164,42 @@ test('the run is told in words and as a share', () => {
   assert.equal(portionAfter(4, 10), 8);
   assert.equal(portionAfter(4, 90), 2);
   assert.equal(portionAfter(1, 90), 1);
+});
+
+test('code names the file, and options that were chosen', () => {
+  const known = [{ name: 'size', default: 0 }, { name: 'featureAngle', default: 40 }, { name: 'keepGroups', default: true }];
+  const work = { ...presetWork('gear'), options: { size: 0.25, featureAngle: 40, keepGroups: false } };
+  assert.equal(toCommand(work, known), "lpquad mesh 'gear.obj' -o gear-quads.msh --size 0.25 --no-keep-groups\n");
+  assert.match(toJavaScript(work, known), /readFileSync\("gear\.obj"\)[^]*meshSurface\(surface, \{ size: 0\.25, keepGroups: false \}\)/);
+  const file = { ...work, name: "it's part.STL", preset: undefined };
+  assert.equal(sourceOf(file), "it's part.STL");
+  assert.match(toCommand(file, known), /^lpquad mesh 'it'\\''s part\.STL' -o it-s-part-quads\.msh /);
+});
+
+test('a surface that was saved as a file is read back as it was', async () => {
+  const lpquad = await createLpquad();
+  const { points, triangles } = presetWork('pipe').surface;
+  const groups = Int32Array.from({ length: triangles.length / 3 }, (_, t) => (t < 100 ? 0 : 1));
+  const read = await lpquad.readSurface(surfaceObj({ points, triangles, groups, groupNames: ['one', 'two'] }), { name: 'pipe.obj' });
+  assert.deepEqual(read.points, points);
+  assert.deepEqual(read.triangles, triangles);
+  assert.deepEqual(read.groupNames, ['one', 'two']);
+  assert.deepEqual(read.groups, groups);
+});
+
+test('cells are triangles and borders of their pieces, and squares of equal size have the least energy', () => {
+  // Two squares and a slim rectangle; the energy density of a square of the side h is 2 / (2^6 7) / h².
+  const quad = (x, w) => [x, 0, x + w, 0, x + w, 1, x, 1];
+  const uv = Float64Array.from([...quad(0, 1), ...quad(1, 1), ...quad(2, 0.5)]);
+  const square = 2 / (64 * 7);
+  const cells = { chart: 0, uv, points: new Float64Array(36), offsets: Int32Array.of(0, 4, 8, 12), sites: Int32Array.of(0, 1, 2),
+    density: Float64Array.of(square, square, 9 * square) };
+  const { triangles, pieces, edges } = meshOfCells(cells);
+  assert.equal(triangles.length, 18);
+  assert.deepEqual(pieces, [0, 0, 1, 1, 2, 2]);
+  assert.deepEqual(edges.slice(0, 8), [0, 1, 1, 2, 2, 3, 3, 0]);
+  const [a, b, c] = cellColours(cells, light.ramps.density).map(parts);
+  assert.deepEqual(a, b);
+  assert.deepEqual(a.map((x) => Math.round(255 * x)), light.ramps.density[0]);
+  assert.deepEqual(c.map((x) => Math.round(255 * x)), light.ramps.density.at(-1));
 });

@@ -98,6 +98,8 @@ test('a file is opened, meshed and saved', async () => {
   await page.locator('#project-name', { hasText: 'box.stl' }).waitFor({ timeout: patience });
   await over(page);
   await page.getByRole('tab', { name: 'Files' }).click();
+  await page.getByLabel('Language').selectOption('Command line');
+  await page.locator('pre.code', { hasText: /^lpquad mesh 'box\.stl' -o box-quads\.msh --size / }).waitFor();
   const [saved] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download .obj' }).click()]);
   const text = readFileSync(await saved.path(), 'utf8');
   assert.equal(saved.suggestedFilename(), 'box.obj');
@@ -122,7 +124,8 @@ test('a surface that is opened in the plane goes to space, and a drawing back', 
   const square = { loops: [[[0, 0], [1, 0], [1, 1], [0, 1]]] };
   await page.locator('input[type=file]').first().setInputFiles({ name: 'square.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(square)) });
   await page.waitForURL((url) => !url.pathname.endsWith('space.html'), { timeout: patience });
-  await page.waitForFunction(() => globalThis.playground?.store.project.name.startsWith('square'), null, { timeout: patience });
+  await page.waitForFunction((loops) => JSON.stringify(globalThis.playground?.store.project.drawing.regions[0].loops) === loops,
+    JSON.stringify(square.loops), { timeout: patience });
   await page.context().close();
 });
 

@@ -1,7 +1,10 @@
 // Where the charts lie in the picture of the planes: side by side in rows, as large as fits. Pure.
 /** @import { SurfaceSnapshot } from 'lpquad' */
 
-/** @typedef {{chart: number, triangles: number[], left: number, top: number, shift: [number, number]}} Island */
+/**
+ * Where a chart lies: (u, v) is drawn at (shift[0] + u, shift[1] - v), so that it is seen as from outside.
+ * @typedef {{chart: number, triangles: number[], left: number, top: number, shift: [number, number]}} Island
+ */
 /** @typedef {{islands: Island[], width: number, height: number}} Layout  in the unit of the charts */
 
 const gap = 0.04;  // of the root of the whole area
@@ -50,7 +53,7 @@ function inRows(boxes, between, most) {
   const islands = boxes.map((box) => {
     if (left > 0 && left + box.width > most) [left, top, row] = [0, top + row + between, 0];
     const island = { chart: box.chart, triangles: box.triangles, left, top,
-      shift: /** @type {[number, number]} */ ([left - box.low[0], top - box.low[1]]) };
+      shift: /** @type {[number, number]} */ ([left - box.low[0], top + box.low[1] + box.height]) };
     row = Math.max(row, box.height);
     width = Math.max(width, left + box.width);
     left += box.width + between;
@@ -59,25 +62,61 @@ function inRows(boxes, between, most) {
   return { islands, width, height: top + row };
 }
 
-/** Points of the mesh in the plane of a chart: where they lie on its triangles. The quads whose corners all do.
+const onEdge = 1e-6;     // a weight of a corner that a point on the edge opposite has
+const acrossCut = 6;     // times the usual length of the chart's quads
+
+/**
+ * The quads whose corners all lie in one chart, in its plane; those that reach over a cut are left out.
  * @param {NonNullable<SurfaceSnapshot['charts']>} charts
- * @param {{placeTriangles: ArrayLike<number>, placeWeights: ArrayLike<number>, quads: ArrayLike<number>}} mesh
- * @returns {Map<number, number[]>} by chart: u, v of four corners each */
-export function quadsInPlanes({ charts, uv }, { placeTriangles, placeWeights, quads }) {
-  /** @type {Map<number, number[]>} */
+ * @param {{placeTriangles: ArrayLike<number>, placeWeights: ArrayLike<number>, quads: ArrayLike<number>,
+ *   surface: {triangles: ArrayLike<number>}}} mesh
+ * @returns {Map<number, number[]>} by chart: u, v of four corners each
+ */
+export function quadsInPlanes(charts, mesh) {
+  const { placeTriangles, quads } = mesh;
+  const cornerIn = cornersOf(charts, mesh);
+  /** @type {Map<number, number[][]>} */
   const found = new Map();
   for (let q = 0; q < quads.length; q += 4) {
-    const chart = charts[placeTriangles[quads[q]]];
     const corners = [0, 1, 2, 3].map((k) => quads[q + k]);
-    if (!corners.every((v) => charts[placeTriangles[v]] === chart)) continue;
-    const into = found.get(chart) ?? [];
-    for (const v of corners)
-      for (const axis of [0, 1]) {
-        let x = 0;
-        for (let k = 0; k < 3; ++k) x += placeWeights[3 * v + k] * uv[6 * placeTriangles[v] + 2 * k + axis];
-        into.push(x);
-      }
-    found.set(chart, into);
+    for (const chart of new Set(corners.map((v) => charts.charts[placeTriangles[v]]))) {
+      const places = corners.map((v) => cornerIn(v, chart));
+      if (places.some((place) => place === null)) continue;
+      if (!found.has(chart)) found.set(chart, []);
+      found.get(chart)?.push(places.flatMap((place) => place ?? []));
+      break;
+    }
   }
-  return found;
+  return new Map([...found].map(([chart, all]) => [chart, withoutWide(all).flat()]));
+}
+
+/** @param {number[][]} quads  u, v of four corners each */
+function withoutWide(quads) {
+  const lengths = quads.map(([a, b, c, d, e, f, g, h]) => Math.max(Math.hypot(a - e, b - f), Math.hypot(c - g, d - h)));
+  const usual = [...lengths].sort((a, b) => a - b)[lengths.length >> 1];
+  return quads.filter((_, i) => lengths[i] <= acrossCut * usual);
+}
+
+/** Where vertices lie in the planes of charts; on the border between two they have a place in either.
+ * @param {NonNullable<SurfaceSnapshot['charts']>} charts  @param {Parameters<typeof quadsInPlanes>[1]} mesh */
+function cornersOf({ charts, uv }, { placeTriangles, placeWeights, surface: { triangles } }) {
+  /** @type {Map<number, number[]>} */
+  const around = new Map();  // the triangles at each vertex of the surface
+  for (let i = 0; i < triangles.length; ++i) {
+    const some = around.get(triangles[i]);
+    if (some === undefined) around.set(triangles[i], [Math.floor(i / 3)]);
+    else some.push(Math.floor(i / 3));
+  }
+  const nameIn = (/** @type {number} */ t, /** @type {number} */ vertex) => [0, 1, 2].find((k) => triangles[3 * t + k] === vertex) ?? -1;
+  return (/** @type {number} */ v, /** @type {number} */ chart) => {
+    const from = placeTriangles[v];
+    const parts = [0, 1, 2].map((k) => ({ vertex: triangles[3 * from + k], weight: placeWeights[3 * v + k] }))
+      .filter(({ weight }) => charts[from] === chart || weight > onEdge);
+    const t = charts[from] === chart ? from : (around.get(parts[0].vertex) ?? []).find((other) =>
+      charts[other] === chart && parts.every(({ vertex }) => nameIn(other, vertex) >= 0));
+    if (t === undefined) return null;
+    const along = (/** @type {number} */ axis) =>
+      parts.reduce((sum, { vertex, weight }) => sum + weight * uv[6 * t + 2 * nameIn(t, vertex) + axis], 0);
+    return [along(0), along(1)];
+  };
 }

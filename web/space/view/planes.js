@@ -1,6 +1,7 @@
 // The charts in their planes, beside the surface: pointing at one shows it in both views.
 /** @import { SpaceApp } from '../types' */
 /** @import { Layout } from './layout.js' */
+import { once } from '../../draw/once.js';
 import { dark, light } from '../../draw/palette.js';
 import { cellColours, chartColour } from './geometry.js';
 import { layOut, quadsInPlanes } from './layout.js';
@@ -36,7 +37,9 @@ export function installPlanes(app, element) {
     if (context === null || now === null) return;
     context.setTransform(devicePixelRatio * now.scale, 0, 0, devicePixelRatio * now.scale, devicePixelRatio * now.left, devicePixelRatio * now.top);
     context.lineWidth = 1 / now.scale;
-    drawPlanes(context, now, app);
+    // Triangles of a few pixels: their lines would hide the colour of the chart.
+    const triangle = now.scale * Math.sqrt(now.layout.width * now.layout.height / (now.charts.charts.length || 1));
+    drawPlanes(context, now, app, 0.5 * Math.min(1, triangle / 12));
   }
   const invalidate = () => {
     if (scheduled) return;
@@ -67,21 +70,23 @@ export function installPlanes(app, element) {
 }
 
 /** @param {CanvasRenderingContext2D} context
- * @param {{charts: NonNullable<import('lpquad').SurfaceSnapshot['charts']>, layout: Layout}} planes  @param {SpaceApp} app */
-function drawPlanes(context, { charts, layout }, { layers, pointed, runner, themes }) {
+ * @param {{charts: NonNullable<import('lpquad').SurfaceSnapshot['charts']>, layout: Layout}} planes  @param {SpaceApp} app
+ * @param {number} fade  of the lines of triangles */
+function drawPlanes(context, { charts, layout }, { layers, pointed, runner, themes }, fade) {
   const palette = themes.dark ? dark : light;
   const { result, frame: { cells } } = runner.run;
-  const quads = result ? quadsInPlanes(charts, result) : null;
+  const quads = result ? once(result, 'planes', () => quadsInPlanes(charts, result)) : null;
   for (const { chart, triangles, shift } of layout.islands) {
     context.save();
     context.translate(...shift);
+    context.scale(1, -1);
     context.fillStyle = chart === pointed.chart ? palette.accent
       : `rgb(${chartColour(chart, themes.dark).map((x) => Math.round(255 * x))})`;
     context.beginPath();
     for (const t of triangles) traceLoop(context, charts.uv, 6 * t, 3);
     context.fill();
     context.strokeStyle = quads ? palette.ink : palette.faint;
-    context.globalAlpha = quads ? 0.8 : 0.5;
+    context.globalAlpha = quads ? Math.min(0.8, 3 * fade) : fade;
     context.beginPath();
     const of = quads?.get(chart) ?? [];
     if (quads) for (let q = 0; q < of.length; q += 8) traceLoop(context, of, q, 4);
@@ -120,7 +125,7 @@ export function pick(uv, { islands }, x, y) {
     for (const t of triangles) {
       const side = (/** @type {number} */ k) => {
         const [i, j] = [6 * t + 2 * k, 6 * t + 2 * ((k + 1) % 3)];
-        return (uv[j] - uv[i]) * (y - shift[1] - uv[i + 1]) - (uv[j + 1] - uv[i + 1]) * (x - shift[0] - uv[i]);
+        return (uv[j] - uv[i]) * (shift[1] - y - uv[i + 1]) - (uv[j + 1] - uv[i + 1]) * (x - shift[0] - uv[i]);
       };
       if (side(0) >= 0 && side(1) >= 0 && side(2) >= 0) return chart;
     }

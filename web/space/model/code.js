@@ -1,0 +1,53 @@
+// A surface and its options as a program and as a command: the same mesh, bit for bit, from the file.
+/** @import { OptionInfo } from 'lpquad' */
+/** @import { Work } from '../types' */
+import { chosen } from '../../files/code/literals.js';
+
+/** @param {Work} work */
+export const fileNameOf = ({ name }) => name.toLowerCase().replace(/\.[a-z0-9]+$/, '').replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'surface';
+
+/** What the surface is called as a file: its own name, or that of the download. @param {Work} work */
+export const sourceOf = (work) => (work.preset === undefined ? work.name : `${fileNameOf(work)}.obj`);
+
+/** @param {Work} work  @param {OptionInfo[]} known */
+export function toJavaScript(work, known) {
+  const source = JSON.stringify(sourceOf(work));
+  const options = chosenOf(work, known).map(([name, value]) => `${name}: ${JSON.stringify(value)}`);
+  return `import { readFileSync, writeFileSync } from 'node:fs';
+import { createLpquad } from 'lpquad';
+
+const lpquad = await createLpquad();
+const surface = await lpquad.readSurface(readFileSync(${source}), { name: ${source} });
+const mesh = await lpquad.meshSurface(surface, { ${options.join(', ')} });
+console.log(mesh.report.hash);
+writeFileSync('${fileNameOf(work)}-quads.msh', lpquad.writeMesh(mesh, 'msh'));
+`;
+}
+
+/** @param {Work} work  @param {OptionInfo[]} known */
+export function toCommand(work, known) {
+  const flags = chosenOf(work, known).map(([name, value]) => {
+    const flag = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+    return typeof value === 'boolean' ? `--${value ? '' : 'no-'}${flag}` : `--${flag} ${value}`;
+  });
+  const quoted = `'${sourceOf(work).replaceAll("'", "'\\''")}'`;
+  return ['lpquad mesh', quoted, '-o', `${fileNameOf(work)}-quads.msh`, ...flags].join(' ') + '\n';
+}
+
+/** @param {Work} work  @param {OptionInfo[]} known */
+const chosenOf = (work, known) => chosen(/** @type {any} */ (work), known);
+
+/** A text that is read as the same number. @param {number} value */
+const exact = (value) => (Object.is(value, -0) ? '-0' : String(value));
+
+/** The triangles as a file, numbers exact, groups by name. @param {Work['surface']} surface */
+export function surfaceObj({ points, triangles, groups, groupNames }) {
+  const lines = [];
+  for (let i = 0; i < points.length; i += 3) lines.push(`v ${exact(points[i])} ${exact(points[i + 1])} ${exact(points[i + 2])}`);
+  for (let t = 0; t < triangles.length; t += 3) {
+    const group = groups?.[t / 3];
+    if (group !== undefined && (t === 0 || group !== groups?.[t / 3 - 1]) && groupNames?.[group]) lines.push(`g ${groupNames[group]}`);
+    lines.push(`f ${triangles[t] + 1} ${triangles[t + 1] + 1} ${triangles[t + 2] + 1}`);
+  }
+  return `${lines.join('\n')}\n`;
+}
