@@ -54,6 +54,21 @@ test('closed presets are closed, and of the right genus', () => {
   }
 });
 
+test('the panel is whole, with two round holes', async () => {
+  const session = await (await createLpquad()).startSurface(presetWork('panel').surface, { size: 0.1 });
+  session.step();
+  const { surface, features } = session.snapshot({ surface: true, features: true });
+  const { use, vertices } = edgeUse(surface);
+  const border = features.edges.length / 2;
+  assert.equal(vertices - (use.size + border) / 2 + surface.triangles.length / 3, 1 - 2);  // a disk less two
+  for (const v of features.edges) {
+    const [x, y] = surface.points.subarray(3 * v, 3 * v + 2);
+    const rims = [[-0.6, 0, 0.3], [0.75, 0.05, 0.21]].map(([cx, cy, r]) => Math.abs(Math.hypot(x - cx, y - cy) - r));
+    assert.ok(Math.min(...rims, 1.5 - Math.abs(x), 1 - Math.abs(y)) < 1e-9);
+  }
+  session.dispose();
+});
+
 test('a link opens to the same work', () => {
   const work = { ...presetWork('gear'), options: { size: 0.07, keepGroups: false, effort: 'high' }, layers: inOrder(['quads', 'features']) };
   const again = fromFragment(toFragment(work));

@@ -5,27 +5,41 @@ import { bentGrid, joined, thickRing, tube } from './shapes.js';
 
 const full = 2 * Math.PI;
 
-const holes = [{ x: -0.6, y: 0, r: 0.3 }, { x: 0.75, y: 0.05, r: 0.2 }];
+// Of radii that no middle of a cell has as its distance.
+const holes = [{ x: -0.6, y: 0, r: 0.3 }, { x: 0.75, y: 0.05, r: 0.21 }];
 
 /** A pressed panel with two holes and a swage, like a part of a car body. */
 function panel() {
-  const [columns, rows] = [150, 100], cell = 3 / columns;
-  /** Points near the rim of a hole are moved onto it, so that it is round. @param {number} x  @param {number} y */
-  const rimmed = (x, y) => {
-    for (const hole of holes) {
-      const far = Math.hypot(x - hole.x, y - hole.y), move = hole.r / far;
-      if (Math.abs(far - hole.r) < 0.51 * cell) return [hole.x + move * (x - hole.x), hole.y + move * (y - hole.y)];
-    }
-    return [x, y];
+  const [columns, rows] = [150, 100], half = 1.5 / columns;
+  const holeAt = (/** @type {number} */ x, /** @type {number} */ y) => holes.find((hole) => Math.hypot(x - hole.x, y - hole.y) < hole.r);
+  /** The hole that has some of the four cells around a point, but not all. @param {number} x  @param {number} y */
+  const rimAt = (x, y) => {
+    const around = [[-half, -half], [half, -half], [half, half], [-half, half]].map(([a, b]) => holeAt(x + a, y + b));
+    return around.includes(undefined) ? around.find(Boolean) : undefined;
   };
-  const inHole = (/** @type {number} */ u, /** @type {number} */ v) =>
-    holes.some(({ x, y, r }) => Math.hypot(3 * u - 1.5 - x, 2 * v - 1 - y) < r);
-  return bentGrid(columns, rows, (u, v) => {
-    const [x, y] = rimmed(3 * u - 1.5, 2 * v - 1);
+  /** Points on a rim are moved onto the circle. @param {number} x  @param {number} y */
+  const rimmed = (x, y) => {
+    const hole = rimAt(x, y);
+    if (hole === undefined) return [x, y];
+    const move = hole.r / Math.hypot(x - hole.x, y - hole.y);
+    return [hole.x + move * (x - hole.x), hole.y + move * (y - hole.y)];
+  };
+  const xy = (/** @type {number} */ u, /** @type {number} */ v) => /** @type {const} */ ([3 * u - 1.5, 2 * v - 1]);
+  const shape = bentGrid(columns, rows, (u, v) => {
+    const [x, y] = rimmed(...xy(u, v));
     const swage = 0.06 * Math.exp(-(((y + 0.68 - 0.05 * x) / 0.1) ** 2));
     return [x, y, 0.25 * (1 - (x / 1.5) ** 2) + 0.18 * (1 - y * y) + swage];
-  }, { hole: inHole });
+  }, { hole: (u, v) => holeAt(...xy(u, v)) !== undefined });
+  const onRim = (/** @type {number} */ p) =>
+    rimAt(...xy((p % (columns + 1)) / columns, Math.floor(p / (columns + 1)) / rows)) !== undefined;
+  return { ...shape, triangles: withoutFlat(shape.triangles, onRim) };
 }
+
+/** Triangles with three corners on one circle have nearly no height. @param {number[]} triangles  @param {(p: number) => boolean} onRim */
+const withoutFlat = (triangles, onRim) => triangles.filter((_, i) => {
+  const first = i - i % 3;
+  return ![0, 1, 2].every((k) => onRim(triangles[first + k]));
+});
 
 /** @param {number} count  @param {(angle: number) => number} radius */
 const outline = (count, radius) => Array.from({ length: count }, (_, i) => {
