@@ -14,7 +14,8 @@ import {
   cellColours, chartColour, crossLines, edgesOfQuads, gather, irregularVertices, meshOfCells, parts, perCorner, qualityColours, trianglesOfQuads,
 } from './geometry.js';
 
-const markSize = 13;  // pixels
+const phone = matchMedia('(max-width: 760px)');  // marks are smaller there, and lines fainter: they are nearer to each other
+const markSize = () => (phone.matches ? 8 : 13);  // pixels
 const cutWidth = 1.5, featureWidth = 2.5;
 
 /** @param {Float32Array} positions  @param {Float32Array} colours  three numbers a corner
@@ -64,7 +65,7 @@ function marks(positions, palette, excess, hollow) {
   const { shape, colour } = markOf(palette, excess);
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
-  const material = new PointsMaterial({ size: markSize, sizeAttenuation: false, map: markPicture(shape, colour, hollow),
+  const material = new PointsMaterial({ size: markSize(), sizeAttenuation: false, map: markPicture(shape, colour, hollow),
     transparent: true, alphaTest: 0.1 });
   // A little nearer than they are: a mark faces the reader, so that a slanting surface would cut it in two.
   material.onBeforeCompile = (shader) => {
@@ -124,7 +125,7 @@ export function quadObject({ points, quads, eta }, palette, dark, how) {
     const colours = how.quality ? qualityColours(eta, palette.ramps.quality) : Array.from(eta, () => plain);
     group.add(faces(gather(points, trianglesOfQuads(points, quads)), perCorner(colours.slice(0, quads.length / 4), 6), 1));
   }
-  if (how.lines) group.add(thin(gather(points, edgesOfQuads(quads)), palette.ink, 0.75));
+  if (how.lines) group.add(thin(gather(points, edgesOfQuads(quads)), palette.ink, phone.matches ? 0.45 : 0.75));
   return group;
 }
 
