@@ -127,11 +127,15 @@ const found = {};
 try {
   const lpquad = await createLpquad();
   for (const { name, kind, domain, options } of await (await fetch('cases.json')).json()) {
-    const mesh = kind === 'surface'
-      ? await lpquad.meshSurface(await lpquad.readSurface(await (await fetch('surface-' + name)).arrayBuffer(), { name }), options)
-      : lpquad.meshDomain(domain, options);
-    const { cpuSeconds, ...report } = mesh.report;
-    found[name] = (await hash(lpquad.writeMesh(mesh, 'msh'))) + ' ' + (await hash(JSON.stringify(report)));
+    try {
+      const mesh = kind === 'surface'
+        ? await lpquad.meshSurface(await lpquad.readSurface(await (await fetch('surface-' + name)).arrayBuffer(), { name }), options)
+        : lpquad.meshDomain(domain, options);
+      const { cpuSeconds, ...report } = mesh.report;
+      found[name] = (await hash(lpquad.writeMesh(mesh, 'msh'))) + ' ' + (await hash(JSON.stringify(report)));
+    } catch (error) {
+      found[name] = String(error);
+    }
   }
   await fetch(to, { method: 'POST', body: JSON.stringify({ found }) });
 } catch (error) {
