@@ -268,6 +268,7 @@ class SurfaceMesher::Run {
     {
       const StageTimer timer = timed("seams");
       report.seams = finish_seams(charted(), chart_options(options_), outcome_.mesh);
+      part_vertices(surface(), outcome_.mesh);
     }
     improve_shape();
     std::vector<Fault> faults;

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "surface/normals.h"
+#include "surface/weld.h"
+
 namespace lpq {
 namespace {
 
@@ -42,6 +45,26 @@ Vec3 point_at(const SurfaceMesh& mesh, const SurfacePlace& place) {
   Vec3 p{};
   for (int k = 0; k < 3; ++k) p += place.weight[k] * mesh.points[corners[k]];
   return p;
+}
+
+void part_vertices(const SurfaceMesh& mesh, ShellMesh& shell) {
+  constexpr double one_point = 1e-9;
+  constexpr double inward = 0.1;  // of the way to the triangle's centroid
+  const double reach = one_point * bounding_diagonal(mesh.points);
+  const std::vector<char> all(shell.points.size(), 1);
+  const std::vector<Index> first = weld_points(shell.points, all, reach);
+  const auto move = [&](Index v) {
+    SurfacePlace& place = shell.places[v];
+    for (double& weight : place.weight) weight += inward * (1.0 / 3 - weight);
+    shell.points[v] = point_at(mesh, place);
+  };
+  for (Index v = 0; v < static_cast<Index>(first.size()); ++v) {
+    if (first[v] == v) continue;
+    if (!shell.pinned[v])
+      move(v);
+    else if (!shell.pinned[first[v]])
+      move(first[v]);
+  }
 }
 
 }  // namespace lpq

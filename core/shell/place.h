@@ -14,4 +14,8 @@ SurfacePlace place_on(const Chart& chart, const Fields& fields, Vec2 p, Index& h
 
 Vec3 point_at(const SurfaceMesh& mesh, const SurfacePlace& place);
 
+/// Free vertices that lie on another vertex (nearer than 1e-9 of the diagonal) go a little way into
+/// their triangles, so that nobody takes the two for one. Cost O(#V log #V).
+void part_vertices(const SurfaceMesh& mesh, ShellMesh& shell);
+
 }  // namespace lpq

@@ -6,6 +6,7 @@
 #include "catch.h"
 #include "shell/check.h"
 #include "shell/mesh_surface.h"
+#include "shell/place.h"
 #include "shell/quality.h"
 #include "shell/snapshot.h"
 #include "support/surface_meshes.h"
@@ -138,6 +139,12 @@ TEST_CASE("the final check finds what is wrong with a mesh, and where") {
   ShellMesh together = good.mesh;
   together.points[from] = together.points[to];
   CHECK(check_places(together, 1).size() == 1);
+  const Index free = static_cast<Index>(
+      std::find(good.mesh.pinned.begin(), good.mesh.pinned.end(), 0) - good.mesh.pinned.begin());
+  ShellMesh fallen = good.mesh;
+  fallen.points[free] = fallen.points[0];
+  part_vertices(good.surface, fallen);
+  CHECK(check_places(fallen, 1).empty());
 }
 
 TEST_CASE("surfaces that cannot be meshed are refused in words") {

@@ -22,22 +22,23 @@ const quads = Number(option('--quads', '3000'));
 const shared = args[0] ?? join(root, '..', 'shared');
 const lpquad = args[1] ?? join(root, 'build/release/bin/lpquad');
 const work = join(root, 'build', `referee-surfaces-${process.pid}`);
-const meshSeconds = 120, checkSeconds = 300, memoryKilobytes = 4 * 1024 * 1024;
+const meshSeconds = 120;  // of the processor, so that a busy machine does not decide
+const patience = 1200, memoryKilobytes = 4 * 1024 * 1024;
 
 // Checks that may fail on so many of all surfaces, because a size of 1/3000 of the area is larger
 // than what is there to be meshed: sheets, teeth and horns thinner than a quad, features nearer to
 // each other. Everything else holds on every surface.
 const budget = {
-  positive_corners: 26,      // a quad over a fold smaller than itself
-  not_folded: 8,             // the same, by its mean normal
-  input_covered: 22,         // tips and gaps smaller than a third of a quad
-  features: 7,               // crossings of features nearer than a quad
-  feature_gap: 7,
-  no_coincident_vertex: 10,  // vertices on both sides of a gap without width
-  topology: 2,               // parts smaller than one quad
-  orientation_as_input: 2,
-  no_duplicate_element: 1,
-  area: 4,
+  positive_corners: 37,      // a quad over a fold smaller than itself
+  not_folded: 13,            // the same, by its mean normal
+  input_covered: 21,         // tips and gaps smaller than a third of a quad
+  features: 6,               // crossings of features nearer than a quad
+  feature_gap: 5,
+  no_coincident_vertex: 2,   // nodes of two curves with a gap without width between them
+  edge_manifold: 1,          // circles where sheets meet, of four long chords
+  topology: 3,               // parts smaller than one quad, and where chords of two curves touch
+  orientation_as_input: 3,
+  no_duplicate_element: 2,
 };
 // A defective surface may be refused, with a code; so many are.
 const mostRefused = 2;
@@ -67,9 +68,9 @@ function areaOf(file) {
 async function judge(file, name, defective) {
   const mesh = join(work, `${name}.msh`);
   const size = Math.sqrt(areaOf(file) / quads);
-  const command = `ulimit -v ${memoryKilobytes}; exec "$@"`;
+  const command = `ulimit -v ${memoryKilobytes}; ulimit -t ${meshSeconds}; exec "$@"`;
   const made = await run('bash', ['-c', command, 'bash', lpquad, 'mesh', file, '-o', mesh,
-    '--msh-version', '2.2', `--size=${size}`, '--quiet'], meshSeconds);
+    '--msh-version', '2.2', `--size=${size}`, '--quiet'], patience);
   const error = made.text.match(/error ([A-Z_]+):/)?.[1];
   if (defective && error && made.code >= 3) {
     refused.push(name);
@@ -77,7 +78,7 @@ async function judge(file, name, defective) {
   }
   if (made.code !== 0) return `exit ${made.code}: ${made.text.trim()}`;
   const judged = await run('/usr/bin/python3', [join(shared, 'tools/checksurf.py'), file, mesh,
-    '--all-quad', '--size', String(size)], checkSeconds);
+    '--all-quad', '--size', String(size)], patience);
   rmSync(mesh, { force: true });
   if (judged.code !== 0 && judged.code !== 1) return judged.text.trim();
   const faults = [];
