@@ -126,9 +126,9 @@ export interface SurfaceOptions {
    */
   turn?: number;
   /**
-   * Largest slope of the size field.
-   * Range: 0.01 to 10.
-   * @default 0.3
+   * Largest slope of the size field; 0 is 0.3.
+   * Range: 0 to 10.
+   * @default 0
    */
   growth?: number;
   /**

@@ -12,7 +12,7 @@ namespace {
 
 constexpr Evaluation refused{0, EvalStatus::outside_domain};
 // As in the plane (cleanup/shape_energy.cpp).
-constexpr double saturation = 16;
+constexpr double saturation = 16, saturation_of_short = 256;
 constexpr double least_corner = 1e-9;
 // A corner is straight when the sine of its angle is less: far above rounding.
 constexpr double least_sine = 1e-9;
@@ -66,13 +66,13 @@ void scatter(const Quad& by_edge, Quad& gradient) {
   }
 }
 
-/// Length term of one edge, by its squared length over h^2: value and derivative.
+/// Length term of one edge, by its squared length over h^2, or area term: value and derivative.
 struct Term {
   double value = 0, slope = 0;
 };
 
-Term misfit_term(double s) {
-  const double inverse = 1 / s, misfit = s + inverse - 2, damping = 1 / (1 + misfit / saturation);
+Term misfit_term(double s, double levels_off) {
+  const double inverse = 1 / s, misfit = s + inverse - 2, damping = 1 / (1 + misfit / levels_off);
   return {misfit * damping, (1 - inverse * inverse) * damping * damping};
 }
 
@@ -103,13 +103,14 @@ Evaluation eta_energy(const Quad& p, double unit, Vec3 outside, const SpaceEtaOp
   for (int k = 0; k < 4; ++k) {
     const int next = (k + 1) & 3;
     const Vec3 turn = power[next] * corners.area[next] - power[k] * corners.area[k];
-    const Term term = misfit_term(corners.squared[k] * unit);
+    const double s = corners.squared[k] * unit;
+    const Term term = misfit_term(s, s < 1 ? saturation_of_short : saturation);
     sum += options.size_weight * term.value;
     by_edge[k] = (slope / corners.squared[k]) * cross(turn, corners.edge[k]) +
                  (2 * options.size_weight * unit * term.slope) * corners.edge[k];
   }
   const double twice = length(corners.twice);
-  const Term term = misfit_term(0.5 * twice * unit);
+  const Term term = misfit_term(0.5 * twice * unit, saturation);
   sum += options.area_weight * term.value - options.cover_weight * twice;
   // twice = edge0 x edge1 + edge2 x edge3
   const double growth = 0.5 * options.area_weight * unit * term.slope - options.cover_weight;

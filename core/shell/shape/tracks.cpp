@@ -63,8 +63,12 @@ std::vector<TrackPosition> Tracks::positions_of(const SurfaceCurves& curves,
     }
   }
   std::vector<TrackPosition> result;
-  for (std::size_t n = 0; n < at.size(); ++n)
+  for (std::size_t n = 0; n < at.size(); ++n) {
+    const Index v = nodes.places[n].vertex;
+    // Where parts meet in a point only, there is a corner without a curve.
+    if (!on_feature[n] && v != none && features_.corner[v]) result.push_back({none, 0, v});
     if (on_feature[n]) result.push_back(at[n]);
+  }
   return result;
 }
 
