@@ -61,12 +61,12 @@ test_package() {
   add_counts "tests/package" build/matrix.log
 }
 
-# The playground: its types, its build, and the page in real browsers, one file after the other.
+# The playground: its types, its build, and the page in real browsers, two files at a time.
 test_web() {
   local log=build/web.log
   { node_modules/.bin/tsc -p web/tsconfig.json && bash web/build.sh; } >"$log" 2>&1 || {
     cat "$log"; failed=$((failed + 1)); return; }
-  node --test --test-concurrency=1 --test-reporter=tap tests/web/*.test.mjs >"$log" 2>&1
+  node --test --test-concurrency=2 --test-reporter=tap tests/web/*.test.mjs >"$log" 2>&1
   echo "$(sed -nE 's/^# pass //p' "$log") passed, $(sed -nE 's/^# fail //p' "$log") failed" >>"$log"
   add_counts "tests/web" "$log"
 }
