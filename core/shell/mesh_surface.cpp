@@ -177,15 +177,19 @@ class SurfaceMesher::Run {
     return std::nullopt;
   }
 
-  /// Another round where the mesh is too coarse, with this one kept.
+  /// Another round where the mesh is too coarse, with this one kept: for as long as that helps.
   void refine_doubts() {
-    if (doubts_ == most_doubts || outcome_.report.rounds == most_rounds) return;
     const auto doubts =
         faults_at(check_places(outcome_.mesh, bounding_diagonal(surface().points), most_doubtful));
+    if (kept_ && doubts.size() >= kept_->doubts) {
+      take_kept();
+      return;
+    }
+    if (doubts_ == most_doubts || outcome_.report.rounds == most_rounds) return;
     // Very many: the size is too coarse all over, and that is the caller's wish.
     if (doubts.empty() || doubts.size() == most_doubtful) return;
     ++doubts_;
-    kept_ = {outcome_.mesh, size_, curves_, nodes_};
+    kept_ = {outcome_.mesh, size_, curves_, nodes_, doubts.size()};
     (void)try_again(doubts);
   }
 
@@ -265,18 +269,11 @@ class SurfaceMesher::Run {
 
   std::optional<Error> finish() {
     ShellReport& report = outcome_.report;
-    {
-      const StageTimer timer = timed("seams");
+    improve("seams", [&] {
       report.seams = finish_seams(charted(), chart_options(options_), outcome_.mesh);
       part_vertices(surface(), outcome_.mesh);
-    }
-    improve_shape();
-    std::vector<Fault> faults;
-    {
-      const StageTimer timer = timed("check");
-      faults = faults_at(check_shell(surface(), outcome_.mesh, most_faults));
-    }
-    if (!faults.empty()) return try_again(faults);
+    });
+    improve("shape", [&] { report.shape = optimise_shape(charted(), shape(), outcome_.mesh); });
     stage_ = SurfaceStage::done;
     {
       const StageTimer timer = timed("distance");
@@ -297,11 +294,19 @@ class SurfaceMesher::Run {
     return std::nullopt;
   }
 
-  void improve_shape() {
-    const StageTimer timer = timed("shape");
+  /// The mesh of the charts is valid: a change that leaves no valid one is taken back.
+  template <class Change>
+  void improve(const char* stage, Change&& change) {
+    const StageTimer timer = timed(stage);
+    ShellMesh before = outcome_.mesh;
+    change();
+    if (!check_shell(surface(), outcome_.mesh, 1).empty()) outcome_.mesh = std::move(before);
+  }
+
+  SmoothOptions shape() const {
     SmoothOptions smoothing = shape_smoothing(chart_options(options_));
     if (options_.smoothing >= 0) smoothing.iterations = options_.smoothing;
-    outcome_.report.shape = optimise_shape(charted(), smoothing, outcome_.mesh);
+    return smoothing;
   }
 
   Warning bent_quads() const {
@@ -350,6 +355,7 @@ class SurfaceMesher::Run {
     std::vector<double> size;
     SurfaceCurves curves;
     CurveMesh nodes;
+    std::size_t doubts = 0;  // places where it is too coarse
   };
   std::optional<Kept> kept_;            // good enough, while a better one is tried
   int doubts_ = 0;                      // rounds for meshes that were too coarse in places

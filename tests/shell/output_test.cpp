@@ -134,7 +134,7 @@ TEST_CASE("a surface run reports times, a hash and its repairs") {
   std::vector<std::string> stages, warnings;
   for (const StageTime& time : outcome.report.times) stages.push_back(time.stage);
   CHECK(stages == std::vector<std::string>{"repair", "features", "field", "charts", "mesh", "seams",
-                                           "shape", "check", "distance"});
+                                           "shape", "distance"});
   for (const Warning& warning : outcome.report.warnings) warnings.push_back(warning.message);
   CHECK(warnings == std::vector<std::string>{
                         "1 triangle was left out: another one has the same corners.",

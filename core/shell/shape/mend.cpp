@@ -16,6 +16,8 @@ constexpr double eta_tolerance = 1e-4;
 constexpr double least_moved = 0.02;  // eta; worse quads stay as they are while others move
 // Of the longest side of a face: a side that is shorter still grows.
 constexpr double shortest_side = 0.03;
+// Of the mesh size: sides of new quads must not be shorter, however good their angles are.
+constexpr double vanished_side = 1e-4;
 // Energy that a change of connectivity must save: about one quad of eta 0.55 made good. A pair of
 // irregular vertices is not worth less.
 constexpr double least_saving = 1;
@@ -111,6 +113,15 @@ class Mender {
     return smoother.verdict();
   }
 
+  bool has_vanished_side(const ShellMesh& mesh) const {
+    return std::any_of(mesh.faces.begin(), mesh.faces.end(), [&](const Face& face) {
+      const double least = vanished_side * ground_.size_at(mesh.places[face[0]]);
+      for (int k = 0, n = corner_count(face); k < n; ++k)
+        if (distance(mesh.points[face[(k + 1) % n]], mesh.points[face[k]]) < least) return true;
+      return false;
+    });
+  }
+
   void mend(Index f, bool refill) {
     ShapePatch best = take_patch(mesh_, roles_, stars_, faces_around(f, rings));
     const Index local = static_cast<Index>(
@@ -128,6 +139,7 @@ class Mender {
     for (ShapePatch& patch : tries) {
       const Verdict now = smooth(patch);
       if (!is_better(now, least, best.changed ? 0 : least_saving)) continue;
+      if (has_vanished_side(patch.mesh)) continue;
       best = std::move(patch);
       least = now;
       better = true;
