@@ -62,7 +62,7 @@ export const presets = [
   preset('hood', 'Car hood', 'Bulging sides, as the body part of the paper’s Figs. 19 to 23.',
     plain(hood()), { size: 0.045 }),
   preset('airfoil', 'Airfoil', 'NACA 2412 in a box: fine about the section, coarse far away.',
-    plain(rectangle(-0.7, -0.7, 1.9, 0.7), airfoil('2412', 40)), { size: 0.07 }),
+    plain(rectangle(-0.7, -0.7, 1.9, 0.7), airfoil('2412', 40)), { size: 0.07, growth: 0.3 }),
   preset('denmark', 'Country', 'The coast of Jutland (Natural Earth): edges of all lengths.',
     plain(denmark), { size: 70, simplify: 12 }),
   preset('letter', 'Letter', 'The letter a: bends and thin parts.',
