@@ -26,6 +26,15 @@ void add(const TopologyStats& topology, CleanupStats& stats) {
 
 Index count_invalid(const QuadMesh& mesh) { return static_cast<Index>(invalid_faces(mesh).size()); }
 
+// With fewer, nearly every corner is fixed, and tries are for nothing.
+constexpr std::size_t fewest_faces = 16;
+
+// Always the same, and made once: a surface may have a thousand small charts.
+DiskPatterns& kept_patterns(PatternSet set) {
+  thread_local DiskPatterns regular(PatternSet::regular), repair(PatternSet::repair);
+  return set == PatternSet::regular ? regular : repair;
+}
+
 // Doublets, positions, and where these do not suffice new connectivity: until all faces are valid.
 void make_valid(CleanupResult& result, const Fields& fields) {
   QuadTopology doublets(std::move(result.mesh));
@@ -35,8 +44,7 @@ void make_valid(CleanupResult& result, const Fields& fields) {
   if (count_invalid(result.mesh) == 0) return;
   QuadTopology topology(std::move(result.mesh));
   const IdealValence ideal(topology);
-  DiskPatterns patterns(PatternSet::repair);
-  add(repair_invalid(topology, ideal, fields, patterns), result.stats);
+  add(repair_invalid(topology, ideal, fields, kept_patterns(PatternSet::repair)), result.stats);
   result.mesh = std::move(topology).compact();
   result.stats.untangled += untangle(result.mesh);
 }
@@ -49,17 +57,16 @@ void make_regular(CleanupResult& result, const Fields& fields, SmoothOptions smo
   smooth_eta(result.mesh, fields, smoothing);
   QuadTopology topology(std::move(result.mesh));
   const IdealValence ideal(topology);
-  DiskPatterns patterns;
-  add(regularise(topology, ideal, fields, patterns), result.stats);
+  add(regularise(topology, ideal, fields, kept_patterns(PatternSet::regular)), result.stats);
   result.mesh = std::move(topology).compact();
 }
 
 // What regularity could not mend for the price, at any price.
 void mend_shapes(CleanupResult& result, const Fields& fields) {
+  if (result.mesh.faces.size() < fewest_faces) return;
   QuadTopology topology(std::move(result.mesh));
   const IdealValence ideal(topology);
-  DiskPatterns patterns(PatternSet::repair);
-  add(mend_flat(topology, ideal, fields, patterns), result.stats);
+  add(mend_flat(topology, ideal, fields, kept_patterns(PatternSet::repair)), result.stats);
   result.mesh = std::move(topology).compact();
 }
 

@@ -12,8 +12,9 @@ namespace {
 // A corner beyond 155 degrees makes a face flat; its eta is below the other bound then.
 constexpr double flat_cosine = -0.906, flat_eta = 0.28;
 // Of flat faces nearly all can be mended, but for those in needles: many tries with fewer than one
-// in `worth_trying` accepted mean an outline full of these.
-constexpr Index enough_tries = 100, worth_trying = 4;
+// in `worth_trying` accepted mean an outline full of these. In small meshes fewer are many.
+constexpr Index most_to_know = 100, least_to_know = 4, share_to_know = 20;
+constexpr Index worth_trying = 4, tries_per_face = 2;
 
 bool remove_doublet(QuadTopology& mesh, Index v) {
   if (mesh.is_fixed(v) || mesh.valence(v) != 2) return false;
@@ -87,11 +88,16 @@ void repair_all(QuadTopology& mesh, Refiller& refiller, const Repairs& repairs,
     if (mesh.is_alive(f) && repairs.is_bad(mesh, f)) queue.push_back(f);
   };
   for (Index f = 0; f < mesh.face_slots(); ++f) enqueue(f);
+  // A refill that mends one face may spoil the next, round and round.
+  const Index enough_tries =
+      std::clamp(mesh.face_slots() / share_to_know, least_to_know, most_to_know);
+  const Index most_tries = enough_tries + tries_per_face * static_cast<Index>(queue.size());
   Index tried = 0, mended = 0;
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const Index f = queue[i];
     if (!mesh.is_alive(f) || !repairs.is_bad(mesh, f)) continue;
     if (repairs.may_give_up && tried > enough_tries && mended * worth_trying < tried) break;
+    if (repairs.may_give_up && tried > most_tries) break;
     ++tried;
     const RefillResult refill = refill_around(mesh, refiller, f, repairs.wide);
     if (!refill.accepted) continue;

@@ -29,14 +29,14 @@ const patience = 1200, memoryKilobytes = 4 * 1024 * 1024;
 // than what is there to be meshed: sheets, teeth and horns thinner than a quad, features nearer to
 // each other. Everything else holds on every surface.
 const budget = {
-  positive_corners: 39,      // a quad over a fold smaller than itself
-  not_folded: 17,            // the same, by its mean normal
-  input_covered: 21,         // tips and gaps smaller than a third of a quad
+  positive_corners: 13,      // a quad over a fold smaller than itself
+  not_folded: 14,            // the same, by its mean normal
+  input_covered: 19,         // tips and gaps smaller than a third of a quad
   features: 6,               // crossings of features nearer than a quad
   feature_gap: 5,
   no_coincident_vertex: 1,   // nodes of two curves with a gap without width between them
   edge_manifold: 1,          // circles where sheets meet, of four long chords
-  topology: 2,               // parts smaller than one quad, and where chords of two curves touch
+  topology: 3,               // parts smaller than one quad, and where chords of two curves touch
   orientation_as_input: 3,
   no_duplicate_element: 2,
 };
