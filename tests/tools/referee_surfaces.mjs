@@ -34,9 +34,9 @@ const budget = {
   input_covered: 19,         // tips and gaps smaller than a third of a quad
   features: 6,               // crossings of features nearer than a quad
   feature_gap: 5,
-  no_coincident_vertex: 1,   // nodes of two curves with a gap without width between them
+  no_coincident_vertex: 2,   // nodes of two curves with a gap without width between them
   edge_manifold: 1,          // circles where sheets meet, of four long chords
-  topology: 3,               // parts smaller than one quad, and where chords of two curves touch
+  topology: 2,               // parts smaller than one quad, and where chords of two curves touch
   orientation_as_input: 3,
   no_duplicate_element: 2,
 };
