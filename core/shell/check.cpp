@@ -4,24 +4,13 @@
 #include <algorithm>
 
 #include "base/disjoint_sets.h"
+#include "shell/sides.h"
 #include "surface/edges.h"
-#include "surface/weld.h"
 
 namespace lpq {
 namespace {
 
 using Edge = std::array<Index, 2>;
-
-/// A side of a face.
-struct Side {
-  Edge ends;     // ascending
-  bool forward;  // from the first of them to the second
-  Index corner;  // 4 * face + number: where it starts
-
-  bool operator<(const Side& other) const {
-    return ends != other.ends ? ends < other.ends : corner < other.corner;
-  }
-};
 
 class ShellCheck {
  public:
@@ -34,7 +23,7 @@ class ShellCheck {
   std::vector<Violation> run() {
     check_faces();
     if (!violations_.empty()) return std::move(violations_);
-    find_sides();
+    sides_ = sides_by_edge(mesh_.faces);
     check_curves();
     check_edges();
     check_fans();
@@ -59,26 +48,6 @@ class ShellCheck {
     }
   }
 
-  void find_sides() {
-    for (Index f = 0; f < static_cast<Index>(mesh_.faces.size()); ++f) {
-      const Face& face = mesh_.faces[f];
-      for (int k = 0; k < corner_count(face); ++k) {
-        const Index a = face[k], b = face[(k + 1) % corner_count(face)];
-        sides_.push_back({{std::min(a, b), std::max(a, b)}, a < b, 4 * f + k});
-      }
-    }
-    std::sort(sides_.begin(), sides_.end());
-  }
-
-  /// Calls visit(first, last) for the sides on each edge.
-  template <class Visit>
-  void for_each_edge(Visit&& visit) const {
-    for (std::size_t i = 0, j = 0; i < sides_.size(); i = j) {
-      while (j < sides_.size() && sides_[j].ends == sides_[i].ends) ++j;
-      visit(i, j);
-    }
-  }
-
   void check_curves() {
     for (std::size_t i = 1; i < mesh_.edges.size(); ++i)
       if (mesh_.edges[i] == mesh_.edges[i - 1])
@@ -92,23 +61,16 @@ class ShellCheck {
   }
 
   void check_edges() {
-    for_each_edge([this](std::size_t first, std::size_t last) {
+    for_each_edge(sides_, [this](std::span<const FaceSide> on_edge) {
       Edge faces{0, 0};
-      for (std::size_t i = first; i < last; ++i) ++faces[sides_[i].forward ? 0 : 1];
-      const Edge& ends = sides_[first].ends;
+      for (const FaceSide& side : on_edge) ++faces[side.forward ? 0 : 1];
+      const Edge& ends = on_edge[0].ends;
       const Edge wanted = wanted_faces(ends);
       if (faces[0] > wanted[0] || faces[1] > wanted[1])
         add("An edge has more faces than the surface has there.", ends[0]);
       else if (faces != wanted)
         add("An edge has fewer faces than the surface has there.", ends[0]);
     });
-  }
-
-  /// The corner of a side's face at one of its ends.
-  Index corner_at(const Side& side, Index vertex) const {
-    const Index face = side.corner / 4, k = side.corner % 4;
-    return mesh_.faces[face][k] == vertex ? side.corner
-                                          : 4 * face + (k + 1) % corner_count(mesh_.faces[face]);
   }
 
   Index wanted_parts(Index v, const std::vector<Index>& parts) const {
@@ -120,15 +82,15 @@ class ShellCheck {
 
   void check_fans() {
     DisjointSets sets(4 * static_cast<Index>(mesh_.faces.size()));
-    for_each_edge([&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first + 1; i < last; ++i)
-        for (const Index v : sides_[first].ends)
-          sets.unite(corner_at(sides_[first], v), corner_at(sides_[i], v));
+    for_each_edge(sides_, [&](std::span<const FaceSide> on_edge) {
+      for (const FaceSide& side : on_edge.subspan(1))
+        for (const Index v : side.ends)
+          sets.unite(corner_at(mesh_.faces, on_edge[0], v), corner_at(mesh_.faces, side, v));
     });
     std::vector<Index> fans(mesh_.points.size(), 0);
-    for (const Side& side : sides_)
-      if (sets.root(side.corner) == side.corner)
-        ++fans[mesh_.faces[side.corner / 4][side.corner % 4]];
+    for (const FaceSide& side : sides_)
+      if (const Index corner = 4 * side.face + side.corner; sets.root(corner) == corner)
+        ++fans[mesh_.faces[side.face][side.corner]];
     const std::vector<Index> parts =
         parts_at_vertices(surface_.triangles, surface_edges_, surface_.vertex_count());
     for (Index v = 0; v < static_cast<Index>(fans.size()); ++v)
@@ -142,7 +104,7 @@ class ShellCheck {
     const auto wanted = std::count(used.begin(), used.end(), 1) - surface_edges_.count() +
                         static_cast<std::ptrdiff_t>(surface_.triangles.size());
     std::ptrdiff_t edges = 0;
-    for_each_edge([&edges](std::size_t, std::size_t) { ++edges; });
+    for_each_edge(sides_, [&edges](std::span<const FaceSide>) { ++edges; });
     const auto got = static_cast<std::ptrdiff_t>(mesh_.points.size()) - edges +
                      static_cast<std::ptrdiff_t>(mesh_.faces.size());
     if (wanted != got)
@@ -159,7 +121,7 @@ class ShellCheck {
   const SurfaceEdges surface_edges_;
   const ShellMesh& mesh_;
   std::size_t limit_;
-  std::vector<Side> sides_;  // by their edges
+  std::vector<FaceSide> sides_;
   std::vector<Violation> violations_;
 };
 
@@ -168,22 +130,6 @@ class ShellCheck {
 std::vector<Violation> check_shell(const SurfaceMesh& surface, const ShellMesh& mesh,
                                    std::size_t limit) {
   return ShellCheck(surface, mesh, limit).run();
-}
-
-std::vector<Violation> check_places(const ShellMesh& mesh, double diagonal, std::size_t limit) {
-  constexpr double one_point = 1e-12;
-  std::vector<Violation> found;
-  const std::vector<char> all(mesh.points.size(), 1);
-  const std::vector<Index> first = weld_points(mesh.points, all, one_point * diagonal);
-  for (Index v = 0; v < static_cast<Index>(first.size()) && found.size() < limit; ++v)
-    if (first[v] != v) found.push_back({"Two vertices lie in one point.", none, v, {}});
-  std::vector<Face> faces = mesh.faces;
-  for (Face& face : faces) std::sort(face.begin(), face.end());
-  std::sort(faces.begin(), faces.end());
-  for (std::size_t f = 1; f < faces.size() && found.size() < limit; ++f)
-    if (faces[f] == faces[f - 1])
-      found.push_back({"Two faces have the same vertices.", none, faces[f][3], {}});
-  return found;
 }
 
 }  // namespace lpq

@@ -18,8 +18,4 @@ namespace lpq {
 std::vector<Violation> check_shell(const SurfaceMesh& surface, const ShellMesh& mesh,
                                    std::size_t limit = 10);
 
-/// Places where the mesh is sound in itself but too coarse for what is there: vertices in one point
-/// (nearer than 1e-12 of the diagonal), faces with the same vertices. Cost O(#F log #F).
-std::vector<Violation> check_places(const ShellMesh& mesh, double diagonal, std::size_t limit = 10);
-
 }  // namespace lpq

@@ -5,15 +5,14 @@
 #include <cmath>
 #include <optional>
 
-#include "base/hash.h"
 #include "numerics/elementary.h"
 #include "pipeline/shape_options.h"
 #include "pipeline/stage_timer.h"
 #include "shell/check.h"
 #include "shell/mesh_charts.h"
 #include "shell/place.h"
-#include "shell/quality.h"
 #include "shell/smaller.h"
+#include "shell/topology.h"
 #include "surface/components.h"
 #include "surface/corners.h"
 #include "surface/normals.h"
@@ -30,6 +29,7 @@ constexpr int most_rounds = 8;
 constexpr int local_rounds = 3;
 // A mesh that is only too coarse in places is good enough after so many.
 constexpr int most_doubts = 2;
+constexpr double one_point = 1e-12;                           // of the diagonal
 constexpr std::size_t most_faults = 100, most_doubtful = 30;  // that a round looks at
 
 }  // namespace
@@ -110,9 +110,7 @@ class SurfaceMesher::Run {
     const std::vector<double> plain(surface().points.size(), h);
     features_ = find_features(surface(), plain,
                               {.angle = options_.feature_angle, .groups = options_.keep_groups});
-    feature_.resize(3 * surface().triangles.size());
-    for (Index e = 0; e < static_cast<Index>(feature_.size()); ++e)
-      feature_[e] = features_.half_edge_is_feature(e);
+    feature_ = features_.half_edges();
     SurfaceSizeOptions sizes;
     sizes.size = h;
     sizes.largest_turn = options_.turn * pi / 180;
@@ -143,15 +141,12 @@ class SurfaceMesher::Run {
     const StageTimer timer = timed("charts");
     outcome_.atlas = make_charts(surface(), feature_);
     lines_ = features_;
-    std::vector<char> line(feature_.size());
-    for (Index e = 0; e < static_cast<Index>(line.size()); ++e) {
+    for (Index e = 0; e < static_cast<Index>(feature_.size()); ++e) {
       FeatureKind& kind = lines_.kind[lines_.edges.edge_of[e]];
       if (outcome_.atlas.cut[e] && kind == FeatureKind::smooth) kind = FeatureKind::marked;
     }
-    for (Index e = 0; e < static_cast<Index>(line.size()); ++e)
-      line[e] = lines_.half_edge_is_feature(e);
     // Features may divide a chart: what lies between lines needs an even border each.
-    Components parts = components_of(surface().twins, line);
+    Components parts = components_of(surface().twins, lines_.half_edges());
     lines_.face = std::move(parts.of_triangle);
     lines_.face_count = parts.count;
     return std::nullopt;
@@ -180,7 +175,8 @@ class SurfaceMesher::Run {
   /// Another round where the mesh is too coarse, with this one kept: for as long as that helps.
   void refine_doubts() {
     const auto doubts =
-        faults_at(check_places(outcome_.mesh, bounding_diagonal(surface().points), most_doubtful));
+        faults_at(check_places(outcome_.mesh.points, outcome_.mesh.faces,
+                               one_point * bounding_diagonal(surface().points), most_doubtful));
     if (kept_ && doubts.size() >= kept_->doubts) {
       take_kept();
       return;
@@ -275,22 +271,8 @@ class SurfaceMesher::Run {
     });
     improve("shape", [&] { report.shape = optimise_shape(charted(), shape(), outcome_.mesh); });
     stage_ = SurfaceStage::done;
-    {
-      const StageTimer timer = timed("distance");
-      report.distance = surface_distance(surface().points, surface().triangles, outcome_.mesh);
-    }
-    count_lines();
-    find_face_groups();
-    report.charts = static_cast<Index>(outcome_.atlas.charts.size());
-    report.chart_counts = outcome_.atlas.counts;
-    report.singularities = cross_.singularities;
-    report.quality = shell_quality(outcome_.mesh);
-    report.size = shell_size_fidelity(outcome_.mesh, surface().triangles, size_);
-    Fnv1a hash;
-    hash.add(std::span<const Vec3>(outcome_.mesh.points));
-    hash.add(std::span<const Face>(outcome_.mesh.faces));
-    report.hash = hash.value();
-    if (report.quality.nonconvex > 0) report.warnings.push_back(bent_quads());
+    const StageTimer timer = timed("summary");
+    summarise(features_, cross_, size_, outcome_);
     return std::nullopt;
   }
 
@@ -307,37 +289,6 @@ class SurfaceMesher::Run {
     SmoothOptions smoothing = shape_smoothing(chart_options(options_));
     if (options_.smoothing >= 0) smoothing.iterations = options_.smoothing;
     return smoothing;
-  }
-
-  Warning bent_quads() const {
-    const ShellMesh& mesh = outcome_.mesh;
-    const Vec3 at = mesh.points[mesh.faces[first_nonconvex(mesh)][0]];
-    return {ErrorCode::no_valid_mesh,
-            "Not all quads are convex: " + std::to_string(outcome_.report.quality.nonconvex) +
-                ", the first near (" + short_number(at.x) + ", " + short_number(at.y) + ", " +
-                short_number(at.z) + "). A smaller size may help.",
-            {}};
-  }
-
-  void count_lines() {
-    ShellReport& report = outcome_.report;
-    for (Index edge = 0; edge < features_.edges.count(); ++edge)
-      report.feature_edges += features_.is_feature(edge);
-    report.corners =
-        static_cast<Index>(std::count(features_.corner.begin(), features_.corner.end(), 1));
-    report.curves = trace_curves(surface(), features_).count();
-    report.faces = features_.face_count;
-  }
-
-  void find_face_groups() {
-    constexpr Index unseen = -2;
-    std::vector<Index>& groups = outcome_.face_group;
-    groups.assign(features_.face_count, unseen);
-    for (Index t = 0; t < surface().triangle_count(); ++t) {
-      Index& group = groups[features_.face[t]];
-      if (group == unseen) group = surface().group[t];
-      if (group != surface().group[t]) group = none;
-    }
   }
 
   SurfaceOptions options_;

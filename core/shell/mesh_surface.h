@@ -5,51 +5,16 @@
 
 #include <memory>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "base/monitor.h"
 #include "base/result.h"
-#include "pipeline/report.h"
-#include "shell/distance.h"
 #include "shell/options.h"
-#include "shell/seams.h"
-#include "shell/shape/shape.h"
-#include "shell/shell_mesh.h"
-#include "surface/charts/charts.h"
-#include "surface/repair.h"
+#include "shell/outcome.h"
 #include "surface/soup.h"
 
 namespace lpq {
 
 class ChartsMesher;
-
-struct ShellReport {
-  RepairReport repair;
-  Index feature_edges = 0, corners = 0, curves = 0, faces = 0;
-  Index charts = 0;
-  ChartCounts chart_counts;
-  std::vector<SurfaceSingularity> singularities;
-  Index rounds = 1;  // of sizes made smaller where a chart had no mesh
-  SeamStats seams;
-  ShapeStats shape;
-  QuadQuality quality;  // in space
-  SizeFidelity size;
-  SurfaceDistance distance;
-  double target_size = 0;  // the constant one
-  std::uint64_t hash = 0;  // of points and faces
-  std::vector<StageTime> times;
-  std::vector<Warning> warnings;
-};
-
-struct ShellOutcome {
-  SurfaceMesh surface;  // as repaired
-  ShellMesh mesh;
-  std::vector<std::string> group_names;  // of surface.group
-  Atlas atlas;                           // how the surface was cut and mapped
-  std::vector<Index> face_group;         // group of each face of the surface; none: of several
-  ShellReport report;
-};
 
 enum class SurfaceStage { features, field, charts, mesh, seams, done };
 const char* stage_name(SurfaceStage stage);

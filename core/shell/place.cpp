@@ -47,6 +47,13 @@ Vec3 point_at(const SurfaceMesh& mesh, const SurfacePlace& place) {
   return p;
 }
 
+double size_at(std::span<const Tri> triangles, const SurfacePlace& place,
+               std::span<const double> size) {
+  double h = 0;
+  for (int k = 0; k < 3; ++k) h += place.weight[k] * size[triangles[place.triangle][k]];
+  return h;
+}
+
 void part_vertices(const SurfaceMesh& mesh, ShellMesh& shell) {
   constexpr double one_point = 1e-9;
   constexpr double inward = 0.1;  // of the way to the triangle's centroid

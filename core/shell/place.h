@@ -1,6 +1,8 @@
 // From a chart's plane back to the surface.
 #pragma once
 
+#include <span>
+
 #include "field/field.h"
 #include "mesh/surface_mesh.h"
 #include "shell/shell_mesh.h"
@@ -13,6 +15,10 @@ namespace lpq {
 SurfacePlace place_on(const Chart& chart, const Fields& fields, Vec2 p, Index& hint);
 
 Vec3 point_at(const SurfaceMesh& mesh, const SurfacePlace& place);
+
+/// The size there, linear between the vertices of the surface. `size`: #V.
+double size_at(std::span<const Tri> triangles, const SurfacePlace& place,
+               std::span<const double> size);
 
 /// Free vertices that lie on another vertex (nearer than 1e-9 of the diagonal) go a little way into
 /// their triangles, so that nobody takes the two for one. Cost O(#V log #V).

@@ -2,28 +2,15 @@
 #include "shell/quality.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "numerics/elementary.h"
+#include "shell/place.h"
+#include "shell/sides.h"
 #include "shell/topology.h"
 
 namespace lpq {
 namespace {
-
-using Edge = std::array<Index, 2>;
-
-/// Every edge once per face that has it, the smaller vertex first; sorted.
-std::vector<Edge> face_edges(const ShellMesh& mesh) {
-  std::vector<Edge> edges;
-  for (const Face& face : mesh.faces)
-    for (int k = 0; k < corner_count(face); ++k) {
-      const Index a = face[k], b = face[(k + 1) % corner_count(face)];
-      edges.push_back({std::min(a, b), std::max(a, b)});
-    }
-  std::sort(edges.begin(), edges.end());
-  return edges;
-}
 
 bool is_bent(const ShellMesh& mesh, const Face& face) {
   return has_reflex_corner(mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]],
@@ -39,14 +26,12 @@ double percentile(std::vector<double>& values, double share) {
 }
 
 /// Vertices on edges of one face only.
-std::vector<char> border_vertices(const ShellMesh& mesh, const std::vector<Edge>& edges) {
+std::vector<char> border_vertices(const ShellMesh& mesh) {
   std::vector<char> border(mesh.points.size(), 0);
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t j = i;
-    while (j < edges.size() && edges[j] == edges[i]) ++j;
-    if (j - i == 1) border[edges[i][0]] = border[edges[i][1]] = 1;
-    i = j;
-  }
+  for_each_edge(sides_by_edge(mesh.faces), [&](std::span<const FaceSide> on_edge) {
+    if (on_edge.size() == 1)
+      for (const Index v : on_edge[0].ends) border[v] = 1;
+  });
   return border;
 }
 
@@ -54,7 +39,7 @@ void count_valences(const ShellMesh& mesh, QuadQuality& quality) {
   std::vector<Index> valence(mesh.points.size(), 0);
   for (const Face& face : mesh.faces)
     for (int k = 0; k < corner_count(face); ++k) ++valence[face[k]];
-  const std::vector<char> border = border_vertices(mesh, face_edges(mesh));
+  const std::vector<char> border = border_vertices(mesh);
   for (std::size_t v = 0; v < valence.size(); ++v) {
     if (border[v] || valence[v] == 0) continue;
     ++quality.interior_vertices;
@@ -114,17 +99,12 @@ Index first_nonconvex(const ShellMesh& mesh) {
 
 SizeFidelity shell_size_fidelity(const ShellMesh& mesh, std::span<const Tri> surface_triangles,
                                  std::span<const double> size) {
-  const auto size_at = [&](Index v) {
-    const SurfacePlace& place = mesh.places[v];
-    double h = 0;
-    for (int k = 0; k < 3; ++k) h += place.weight[k] * size[surface_triangles[place.triangle][k]];
-    return h;
-  };
-  std::vector<Edge> edges = face_edges(mesh);
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  const auto size_of = [&](Index v) { return size_at(surface_triangles, mesh.places[v], size); };
   std::vector<double> ratio;
-  for (const auto& [a, b] : edges)
-    ratio.push_back(distance(mesh.points[a], mesh.points[b]) / (0.5 * (size_at(a) + size_at(b))));
+  for_each_edge(sides_by_edge(mesh.faces), [&](std::span<const FaceSide> on_edge) {
+    const auto [a, b] = on_edge[0].ends;
+    ratio.push_back(distance(mesh.points[a], mesh.points[b]) / (0.5 * (size_of(a) + size_of(b))));
+  });
   if (ratio.empty()) return {};
   SizeFidelity fidelity{percentile(ratio, 0.1), percentile(ratio, 0.5), percentile(ratio, 0.9)};
   fidelity.min = *std::min_element(ratio.begin(), ratio.end());

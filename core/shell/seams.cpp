@@ -146,9 +146,7 @@ class SeamFinisher {
 }  // namespace
 
 SeamStats finish_seams(const Charted& charted, const Options& options, ShellMesh& mesh) {
-  std::vector<char> feature(3 * charted.mesh.triangles.size());
-  for (std::size_t e = 0; e < feature.size(); ++e)
-    feature[e] = charted.features.half_edge_is_feature(static_cast<Index>(e));
+  const std::vector<char> feature = charted.features.half_edges();
   return SeamFinisher(charted, options, mesh, feature).run();
 }
 

@@ -12,12 +12,6 @@ namespace {
 constexpr double smaller = 0.6;
 constexpr double reach = 1.5;  // mesh sizes around a fault
 
-double size_at(const SurfaceMesh& mesh, const SurfacePlace& place, std::span<const double> size) {
-  double h = 0;
-  for (int k = 0; k < 3; ++k) h += place.weight[k] * size[mesh.triangles[place.triangle][k]];
-  return h;
-}
-
 }  // namespace
 
 bool make_smaller(const SurfaceMesh& mesh, std::span<const Fault> faults, bool widely,
@@ -29,7 +23,7 @@ bool make_smaller(const SurfaceMesh& mesh, std::span<const Fault> faults, bool w
     if (fault.place.triangle == none) continue;
     for (const Index v : mesh.triangles[fault.place.triangle]) meant[v] = 1;
     const Vec3 centre = point_at(mesh, fault.place);
-    const double radius = reach * size_at(mesh, fault.place, size);
+    const double radius = reach * size_at(mesh.triangles, fault.place, size);
     for (std::size_t v = 0; v < meant.size(); ++v)
       if (distance(mesh.points[v], centre) < radius) meant[v] = 1;
   }

@@ -2,34 +2,15 @@
 #include "shell/topology.h"
 
 #include <algorithm>
-#include <tuple>
+#include <utility>
 
 #include "base/disjoint_sets.h"
 #include "shell/shape/space_energy.h"
+#include "shell/sides.h"
+#include "surface/weld.h"
 
 namespace lpq {
 namespace {
-
-/// A side of a face, filed under its undirected edge.
-struct Side {
-  std::array<Index, 2> ends{none, none};  // the smaller first
-  bool forward = true;                    // runs from the smaller to the larger
-  Index face = none;
-  int corner = 0;
-};
-
-std::vector<Side> sides_of(std::span<const Face> faces) {
-  std::vector<Side> sides;
-  for (Index f = 0; f < static_cast<Index>(faces.size()); ++f)
-    for (int k = 0, n = corner_count(faces[f]); k < n; ++k) {
-      const Index a = faces[f][k], b = faces[f][(k + 1) % n];
-      sides.push_back({{std::min(a, b), std::max(a, b)}, a < b, f, k});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
-    return std::tie(s.ends, s.face, s.corner) < std::tie(t.ends, t.face, t.corner);
-  });
-  return sides;
-}
 
 Index count_sets(DisjointSets& sets, std::span<const char> used) {
   Index count = 0;
@@ -41,26 +22,26 @@ class Counter {
  public:
   explicit Counter(std::span<const Face> faces)
       : faces_(faces),
-        sides_(sides_of(faces)),
+        sides_(sides_by_edge(faces)),
         parts_(static_cast<Index>(faces.size())),
         fans_(4 * static_cast<Index>(faces.size())) {
-    for (const Side& side : sides_) vertices_ = std::max(vertices_, side.ends[1] + 1);
+    for (const FaceSide& side : sides_) vertices_ = std::max(vertices_, side.ends[1] + 1);
   }
 
   ShellTopology count() {
     DisjointSets borders(vertices_);
     std::vector<char> on_border(static_cast<std::size_t>(vertices_), 0);
     Index edges = 0;
-    for (std::size_t i = 0, j = 0; i < sides_.size(); i = j, ++edges) {
-      while (j < sides_.size() && sides_[j].ends == sides_[i].ends) ++j;
-      for (std::size_t k = i + 1; k < j; ++k) join(sides_[i], sides_[k]);
-      result_.meeting_edges += j - i > 2;
-      result_.one_sided_edges += j - i == 2 && sides_[i].forward == sides_[i + 1].forward;
-      if (j - i > 1) continue;
+    for_each_edge(sides_, [&](std::span<const FaceSide> on_edge) {
+      ++edges;
+      for (const FaceSide& side : on_edge.subspan(1)) join(on_edge[0], side);
+      result_.meeting_edges += on_edge.size() > 2;
+      result_.one_sided_edges += on_edge.size() == 2 && on_edge[0].forward == on_edge[1].forward;
+      if (on_edge.size() > 1) return;
       ++result_.border_edges;
-      borders.unite(sides_[i].ends[0], sides_[i].ends[1]);
-      for (const Index v : sides_[i].ends) on_border[v] = 1;
-    }
+      borders.unite(on_edge[0].ends[0], on_edge[0].ends[1]);
+      for (const Index v : on_edge[0].ends) on_border[v] = 1;
+    });
     result_.borders = count_sets(borders, on_border);
     result_.components = count_sets(parts_, std::vector<char>(faces_.size(), 1));
     count_vertices(edges);
@@ -69,14 +50,9 @@ class Counter {
 
  private:
   /// The faces of two sides of one edge hang together there, and so do their corners at its ends.
-  void join(const Side& s, const Side& t) {
+  void join(const FaceSide& s, const FaceSide& t) {
     parts_.unite(s.face, t.face);
-    for (const Index v : s.ends) fans_.unite(corner_at(s, v), corner_at(t, v));
-  }
-
-  Index corner_at(const Side& side, Index vertex) const {
-    const int next = (side.corner + 1) % corner_count(faces_[side.face]);
-    return 4 * side.face + (faces_[side.face][side.corner] == vertex ? side.corner : next);
+    for (const Index v : s.ends) fans_.unite(corner_at(faces_, s, v), corner_at(faces_, t, v));
   }
 
   void count_vertices(Index edges) {
@@ -93,7 +69,7 @@ class Counter {
   }
 
   std::span<const Face> faces_;
-  std::vector<Side> sides_;
+  std::vector<FaceSide> sides_;
   Index vertices_ = 0;
   DisjointSets parts_, fans_;  // of faces, of corners 4 f + k
   ShellTopology result_;
@@ -106,8 +82,8 @@ class FaceCheck {
 
   std::vector<Violation> run() {
     for (Index f = 0; f < static_cast<Index>(faces_.size()); ++f) check_corners(f);
-    check_duplicates();
-    check_places();
+    for (Violation& wrong : check_places(points_, faces_, 0, limit_ - violations_.size()))
+      violations_.push_back(std::move(wrong));
     return std::move(violations_);
   }
 
@@ -124,32 +100,6 @@ class FaceCheck {
     if (corner_count(face) == 4 &&
         has_reflex_corner(points_[face[0]], points_[face[1]], points_[face[2]], points_[face[3]]))
       add("A quad is not convex.", f, face[0]);
-  }
-
-  void check_duplicates() {
-    std::vector<std::pair<Face, Index>> keys;
-    for (Index f = 0; f < static_cast<Index>(faces_.size()); ++f) {
-      Face key = faces_[f];
-      std::sort(key.begin(), key.end());
-      keys.push_back({key, f});
-    }
-    std::sort(keys.begin(), keys.end());
-    for (std::size_t i = 1; i < keys.size(); ++i)
-      if (keys[i].first == keys[i - 1].first)
-        add("Two faces have the same vertices.", keys[i].second, faces_[keys[i].second][0]);
-  }
-
-  void check_places() {
-    std::vector<Index> order;
-    for (const Face& face : faces_)
-      for (int k = 0; k < corner_count(face); ++k) order.push_back(face[k]);
-    const auto key = [&](Index v) {
-      return std::make_tuple(points_[v].x, points_[v].y, points_[v].z, v);
-    };
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
-    for (std::size_t i = 1; i < order.size(); ++i)
-      if (order[i] != order[i - 1] && points_[order[i]] == points_[order[i - 1]])
-        add("Two vertices lie in the same place.", none, order[i]);
   }
 
   std::span<const Vec3> points_;
@@ -170,6 +120,30 @@ std::vector<Face> faces_of(std::span<const Tri> triangles) {
   std::vector<Face> faces;
   for (const auto& [a, b, c] : triangles) faces.push_back({a, b, c, none});
   return faces;
+}
+
+std::vector<Violation> check_places(std::span<const Vec3> points, std::span<const Face> faces,
+                                    double reach, std::size_t limit) {
+  std::vector<Violation> found;
+  std::vector<char> used(points.size(), 0);
+  std::vector<std::pair<Face, Index>> corners;
+  for (Index f = 0; f < static_cast<Index>(faces.size()); ++f) {
+    Face sorted = faces[f];
+    for (int k = 0; k < corner_count(faces[f]); ++k) used[faces[f][k]] = 1;
+    std::sort(sorted.begin(), sorted.end());
+    corners.push_back({sorted, f});
+  }
+  const std::vector<Index> first = weld_points(points, used, reach);
+  for (Index v = 0; v < static_cast<Index>(first.size()) && found.size() < limit; ++v)
+    if (first[v] != v) found.push_back({"Two vertices lie in the same place.", none, v, {}});
+  std::sort(corners.begin(), corners.end());
+  for (std::size_t i = 1; i < corners.size() && found.size() < limit; ++i)
+    if (corners[i].first == corners[i - 1].first)
+      found.push_back({"Two faces have the same vertices.",
+                       corners[i].second,
+                       faces[corners[i].second][0],
+                       {}});
+  return found;
 }
 
 std::vector<Violation> validate_faces(std::span<const Vec3> points, std::span<const Face> faces,

@@ -26,8 +26,14 @@ struct ShellTopology {
 ShellTopology shell_topology(std::span<const Face> faces);
 std::vector<Face> faces_of(std::span<const Tri> triangles);
 
-/// Faces with a vertex twice, faces with the same vertices, two vertices in one place, corners that
-/// turn against their face. At most `limit` are listed; their `vertex` says where.
+/// Vertices in one point (within `reach`, see weld_points()), faces with the same vertices: sound
+/// in itself, but too coarse for what is there. At most `limit`, with a vertex each. Cost O(#F log
+/// #F).
+std::vector<Violation> check_places(std::span<const Vec3> points, std::span<const Face> faces,
+                                    double reach, std::size_t limit = 10);
+
+/// Faces with a vertex twice, quads that are not convex, and what check_places() finds at reach 0.
+/// At most `limit` are listed; their `vertex` says where.
 std::vector<Violation> validate_faces(std::span<const Vec3> points, std::span<const Face> faces,
                                       std::size_t limit = 10);
 

@@ -58,6 +58,12 @@ void number_faces(const SurfaceMesh& mesh, SurfaceFeatures& features) {
 
 }  // namespace
 
+std::vector<char> SurfaceFeatures::half_edges() const {
+  std::vector<char> on(edges.edge_of.size());
+  for (std::size_t e = 0; e < on.size(); ++e) on[e] = half_edge_is_feature(static_cast<Index>(e));
+  return on;
+}
+
 Csr<Index> SurfaceFeatures::edges_at_vertices(Index vertex_count) const {
   std::vector<char> flags(kind.size());
   for (Index i = 0; i < edges.count(); ++i) flags[i] = is_feature(i);

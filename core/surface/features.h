@@ -38,6 +38,8 @@ struct SurfaceFeatures {
 
   bool is_feature(Index edge) const { return kind[edge] != FeatureKind::smooth; }
   bool half_edge_is_feature(Index e) const { return is_feature(edges.edge_of[e]); }
+  /// #half-edges: those on features. Cost O(#half-edges).
+  std::vector<char> half_edges() const;
   /// Feature edges at every vertex, ascending. Cost O(#E).
   Csr<Index> edges_at_vertices(Index vertex_count) const;
 };

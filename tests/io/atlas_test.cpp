@@ -117,13 +117,6 @@ AtlasFile checked_atlas(const SurfaceSoup& soup, double size) {
   return file;
 }
 
-SurfaceSoup soup_of(const SurfaceMesh& mesh) {
-  SurfaceSoup soup;
-  soup.points = mesh.points;
-  soup.triangles = mesh.triangles;
-  return soup;
-}
-
 }  // namespace
 
 TEST_CASE("a box has six islands of true shape, named after its faces") {

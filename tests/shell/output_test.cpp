@@ -14,13 +14,6 @@ using namespace lpq_test;
 
 namespace {
 
-SurfaceSoup soup_of(const SurfaceMesh& mesh) {
-  SurfaceSoup soup;
-  soup.points = mesh.points;
-  soup.triangles = mesh.triangles;
-  return soup;
-}
-
 ShellOutcome meshed(const SurfaceSoup& soup, const SurfaceOptions& options) {
   auto outcome = mesh_surface(soup, options);
   REQUIRE(outcome.has_value());
@@ -134,7 +127,7 @@ TEST_CASE("a surface run reports times, a hash and its repairs") {
   std::vector<std::string> stages, warnings;
   for (const StageTime& time : outcome.report.times) stages.push_back(time.stage);
   CHECK(stages == std::vector<std::string>{"repair", "features", "field", "charts", "mesh", "seams",
-                                           "shape", "distance"});
+                                           "shape", "summary"});
   for (const Warning& warning : outcome.report.warnings) warnings.push_back(warning.message);
   CHECK(warnings == std::vector<std::string>{
                         "1 triangle was left out: another one has the same corners.",

@@ -23,14 +23,6 @@ using namespace lpq_test;
 
 namespace {
 
-SurfaceSoup soup_of(const SurfaceMesh& mesh) {
-  SurfaceSoup soup;
-  soup.points = mesh.points;
-  soup.triangles = mesh.triangles;
-  soup.group_names = {""};
-  return soup;
-}
-
 /// A mesh of a surface that needs no cuts, with what it was made from.
 struct Meshed {
   ShellOutcome outcome;

@@ -9,6 +9,7 @@
 #include "shell/place.h"
 #include "shell/quality.h"
 #include "shell/snapshot.h"
+#include "shell/topology.h"
 #include "support/surface_meshes.h"
 #include "support/surface_shapes.h"
 
@@ -16,14 +17,6 @@ using namespace lpq;
 using namespace lpq_test;
 
 namespace {
-
-SurfaceSoup soup_of(const SurfaceMesh& mesh) {
-  SurfaceSoup soup;
-  soup.points = mesh.points;
-  soup.triangles = mesh.triangles;
-  soup.group_names = {""};
-  return soup;
-}
 
 ShellOutcome meshed(const SurfaceSoup& soup, const SurfaceOptions& options) {
   auto outcome = mesh_surface(soup, options);
@@ -135,16 +128,16 @@ TEST_CASE("the final check finds what is wrong with a mesh, and where") {
   const Index from = pinched.faces[0][0], to = pinched.faces.back()[0];
   for (Face& face : pinched.faces) std::replace(face.begin(), face.end(), from, to);
   CHECK(!check_shell(good.surface, pinched).empty());
-  CHECK(check_places(good.mesh, 1).empty());
+  CHECK(check_places(good.mesh.points, good.mesh.faces, 1e-12).empty());
   ShellMesh together = good.mesh;
   together.points[from] = together.points[to];
-  CHECK(check_places(together, 1).size() == 1);
+  CHECK(check_places(together.points, together.faces, 1e-12).size() == 1);
   const Index free = static_cast<Index>(
       std::find(good.mesh.pinned.begin(), good.mesh.pinned.end(), 0) - good.mesh.pinned.begin());
   ShellMesh fallen = good.mesh;
   fallen.points[free] = fallen.points[0];
   part_vertices(good.surface, fallen);
-  CHECK(check_places(fallen, 1).empty());
+  CHECK(check_places(fallen.points, fallen.faces, 1e-12).empty());
 }
 
 TEST_CASE("surfaces that cannot be meshed are refused in words") {

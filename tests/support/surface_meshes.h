@@ -6,10 +6,20 @@
 
 #include "mesh/surface_mesh.h"
 #include "support/shared_surfaces.h"
+#include "surface/soup.h"
 
 namespace lpq_test {
 
 constexpr double turn = 6.283185307179586;
+
+/// The triangles as a reader gives them, in one group without a name.
+inline lpq::SurfaceSoup soup_of(const lpq::SurfaceMesh& mesh) {
+  lpq::SurfaceSoup soup;
+  soup.points = mesh.points;
+  soup.triangles = mesh.triangles;
+  soup.group_names = {""};
+  return soup;
+}
 
 /// A grid of n x m squares, each two triangles, at place(u, v) for u, v in 0 .. 1; triangles look
 /// along d/du x d/dv. Periodic shapes close by their points being equal.

@@ -125,7 +125,7 @@ function valenceLegend({ frame, palette }) {
 }
 
 /** @param {Int32Array} indices  @param {Palette} palette  @returns {LegendItem[]} */
-function singularities(indices, palette) {
+export function singularities(indices, palette) {
   return [1, -1].flatMap((sign) => {
     const count = indices.filter((index) => Math.sign(index) === sign).length;
     const { shape, colour } = markOf(palette, -sign);

@@ -3,7 +3,7 @@
 /** @import { LayerName } from '../types' */
 import { legendOf } from '../draw/legend.js';
 import { h } from '../panels/dom.js';
-import { legendElement } from './legend.js';
+import { showLegend } from './legend.js';
 import { inOrder, layerNames } from './names.js';
 
 /** @param {App} app */
@@ -46,13 +46,7 @@ export function installLayers(app) {
 
   const refresh = atNextPicture(() => {
     const now = scene();
-    for (const { name, legend } of rows) {
-      const items = now.layers.has(name) ? legendOf(name, now) : [];
-      const text = JSON.stringify(items);
-      if (legend.dataset.of === text) continue;
-      legend.dataset.of = text;
-      legend.replaceChildren(...items.map(legendElement));
-    }
+    for (const { name, legend } of rows) showLegend(legend, now.layers.has(name) ? legendOf(name, now) : []);
   });
   store.subscribe(refresh);
   runner.subscribe(refresh);

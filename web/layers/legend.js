@@ -6,6 +6,14 @@ import { h } from '../panels/dom.js';
 
 const namespace = 'http://www.w3.org/2000/svg';
 
+/** Puts the items there, unless they are there already. @param {HTMLElement} legend  @param {LegendItem[]} items */
+export function showLegend(legend, items) {
+  const text = JSON.stringify(items);
+  if (legend.dataset.of === text) return;
+  legend.dataset.of = text;
+  legend.replaceChildren(...items.map(legendElement));
+}
+
 /** @param {LegendItem} item */
 export function legendElement(item) {
   if (item.kind === 'ramp')

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "shell/place.h"
 #include "shell/shape/outside.h"
 #include "shell/shape/tracks.h"
 #include "shell/shape/walk.h"
@@ -16,7 +17,7 @@ class ShapeGround {
  public:
   explicit ShapeGround(const Charted& charted)
       : surface(charted.mesh),
-        feature_(half_edges_on(charted.features)),
+        feature_(charted.features.half_edges()),
         size_(charted.size),
         walker(charted.mesh, feature_),
         tracks(charted.mesh, charted.features, charted.size),
@@ -25,21 +26,12 @@ class ShapeGround {
   ShapeGround(const ShapeGround&) = delete;
 
   double size_at(const SurfacePlace& place) const {
-    double h = 0;
-    for (int k = 0; k < 3; ++k) h += place.weight[k] * size_[surface.triangles[place.triangle][k]];
-    return h;
+    return lpq::size_at(surface.triangles, place, size_);
   }
 
   const SurfaceMesh& surface;
 
  private:
-  static std::vector<char> half_edges_on(const SurfaceFeatures& features) {
-    std::vector<char> on(features.edges.edge_of.size());
-    for (std::size_t e = 0; e < on.size(); ++e)
-      on[e] = features.half_edge_is_feature(static_cast<Index>(e));
-    return on;
-  }
-
   std::vector<char> feature_;  // #half-edges
   std::span<const double> size_;
 

@@ -3,10 +3,10 @@
 /** @import { SpaceApp, SpaceLayer, SurfaceRun } from '../types' */
 /** @import { Palette } from '../../types' */
 import { highestDensity } from '../../draw/layers/cells.js';
-import { counted, short } from '../../draw/legend.js';
+import { counted, short, singularities } from '../../draw/legend.js';
 import { markOf } from '../../draw/marks.js';
 import { dark, light } from '../../draw/palette.js';
-import { legendElement } from '../../layers/legend.js';
+import { showLegend } from '../../layers/legend.js';
 import { h } from '../../panels/dom.js';
 import { inOrder, layerNames } from '../model/work.js';
 import { irregularVertices } from '../view/geometry.js';
@@ -31,13 +31,7 @@ export function installLayersTab(app) {
       h('div', { className: 'layer' }, actions.button(`layer.${name}`, { title: what }), h('kbd', { 'aria-hidden': 'true' }, key)), legend))));
   const refresh = () => {
     const palette = themes.dark ? dark : light;
-    for (const { name, legend } of rows) {
-      const items = app.layers().has(name) ? legends[name](runner.run, palette) : [];
-      const text = JSON.stringify(items);
-      if (legend.dataset.of === text) continue;
-      legend.dataset.of = text;
-      legend.replaceChildren(...items.map(legendElement));
-    }
+    for (const { name, legend } of rows) showLegend(legend, app.layers().has(name) ? legends[name](runner.run, palette) : []);
   };
   store.subscribe(refresh);
   runner.subscribe(refresh);
@@ -76,11 +70,3 @@ const legends = {
       return { kind: /** @type {const} */ ('mark'), shape, colour, hollow: false, text: `${vertices.length} with ${text}` };
     }) : notYet),
 };
-
-/** @param {Int32Array} indices  @param {Palette} palette  @returns {LegendItem[]} */
-const singularities = (indices, palette) => [1, -1].flatMap((sign) => {
-  const count = indices.filter((index) => Math.sign(index) === sign).length;
-  const { shape, colour } = markOf(palette, -sign);
-  const text = `${counted(count, 'singularity', 'singularities')} ${sign > 0 ? '+1: three' : '−1: five'} quads meet`;
-  return count > 0 ? [{ kind: /** @type {const} */ ('mark'), shape, colour, hollow: true, text }] : [];
-});

@@ -1,0 +1,68 @@
+// See outcome.h.
+#include "shell/outcome.h"
+
+#include <algorithm>
+
+#include "base/hash.h"
+#include "shell/quality.h"
+#include "surface/curves.h"
+
+namespace lpq {
+namespace {
+
+void count_lines(const SurfaceFeatures& features, const SurfaceMesh& surface, ShellReport& report) {
+  for (Index edge = 0; edge < features.edges.count(); ++edge)
+    report.feature_edges += features.is_feature(edge);
+  report.corners =
+      static_cast<Index>(std::count(features.corner.begin(), features.corner.end(), 1));
+  report.curves = trace_curves(surface, features).count();
+  report.faces = features.face_count;
+}
+
+std::vector<Index> groups_of_faces(const SurfaceFeatures& features, const SurfaceMesh& surface) {
+  constexpr Index unseen = -2;
+  std::vector<Index> groups(features.face_count, unseen);
+  for (Index t = 0; t < surface.triangle_count(); ++t) {
+    Index& group = groups[features.face[t]];
+    if (group == unseen) group = surface.group[t];
+    if (group != surface.group[t]) group = none;
+  }
+  return groups;
+}
+
+std::uint64_t hash_of(const ShellMesh& mesh) {
+  Fnv1a hash;
+  hash.add(std::span<const Vec3>(mesh.points));
+  hash.add(std::span<const Face>(mesh.faces));
+  return hash.value();
+}
+
+Warning bent_quads(const ShellMesh& mesh, Index count) {
+  const Vec3 at = mesh.points[mesh.faces[first_nonconvex(mesh)][0]];
+  return {ErrorCode::no_valid_mesh,
+          "Not all quads are convex: " + std::to_string(count) + ", the first near (" +
+              short_number(at.x) + ", " + short_number(at.y) + ", " + short_number(at.z) +
+              "). A smaller size may help.",
+          {}};
+}
+
+}  // namespace
+
+void summarise(const SurfaceFeatures& features, const SurfaceCrossField& cross,
+               std::span<const double> size, ShellOutcome& outcome) {
+  const SurfaceMesh& surface = outcome.surface;
+  ShellReport& report = outcome.report;
+  count_lines(features, surface, report);
+  outcome.face_group = groups_of_faces(features, surface);
+  report.charts = static_cast<Index>(outcome.atlas.charts.size());
+  report.chart_counts = outcome.atlas.counts;
+  report.singularities = cross.singularities;
+  report.quality = shell_quality(outcome.mesh);
+  report.size = shell_size_fidelity(outcome.mesh, surface.triangles, size);
+  report.distance = surface_distance(surface.points, surface.triangles, outcome.mesh);
+  report.hash = hash_of(outcome.mesh);
+  if (report.quality.nonconvex > 0)
+    report.warnings.push_back(bent_quads(outcome.mesh, report.quality.nonconvex));
+}
+
+}  // namespace lpq
