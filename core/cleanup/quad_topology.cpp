@@ -9,6 +9,10 @@
 namespace lpq {
 namespace {
 
+// Coordinates of the unit frame are rounded to 1e-16: a corner lower than this over its longer side
+// may have no height at all in the caller's coordinates.
+constexpr double least_height = 1e-14;
+
 constexpr Face dead_face{none, none, none, none};
 
 }  // namespace
@@ -111,9 +115,13 @@ Csr<Index> faces_at_vertices(const QuadMesh& mesh) {
 
 bool is_strictly_convex(std::span<const Vec2> points, const Face& face) {
   const int n = corner_count(face);
-  for (int k = 0; k < n; ++k)
-    if (orient2d(points[face[k]], points[face[(k + 1) % n]], points[face[(k + 2) % n]]) <= 0)
-      return false;
+  for (int k = 0; k < n; ++k) {
+    const Vec2 a = points[face[k]], b = points[face[(k + 1) % n]], c = points[face[(k + 2) % n]];
+    if (orient2d(a, b, c) <= 0) return false;
+    const double twice_area = cross(b - a, c - b);
+    const double longest = std::max(squared_length(b - a), squared_length(c - b));
+    if (twice_area * twice_area <= least_height * least_height * longest) return false;
+  }
   return true;
 }
 

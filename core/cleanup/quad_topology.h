@@ -63,7 +63,8 @@ inline Index prev_corner(const Face& face, Index k) {
 /// Faces around every vertex of a plain mesh, in ascending order: one row per vertex.
 Csr<Index> faces_at_vertices(const QuadMesh& mesh);
 
-/// Every corner a strict left turn, by exact signs: the face is strictly convex.
+/// Every corner a strict left turn, by exact signs and by more than coordinates of the unit frame
+/// are rounded: the face is strictly convex, and stays so in the caller's coordinates.
 bool is_strictly_convex(std::span<const Vec2> points, const Face& face);
 
 }  // namespace lpq

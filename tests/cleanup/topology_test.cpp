@@ -81,10 +81,19 @@ TEST_CASE("no doublet is removed at fixed vertices or across regions") {
   CHECK(remove_doublets(two) == 0);
 }
 
-TEST_CASE("strict convexity is exact") {
-  const double tiny = 0x1p-52;
-  const std::vector<Vec2> points{{0, 0}, {1, 0}, {1, 1}, {0.5, 0.5}, {0.5 - tiny, 0.5 + tiny}};
+TEST_CASE("strict convexity is exact and more than rounding") {
+  const double tiny = 0x1p-40, rounding = 0x1p-52;
+  const std::vector<Vec2> points{{0, 0},
+                                 {1, 0},
+                                 {1, 1},
+                                 {0.5, 0.5},
+                                 {0.5 - tiny, 0.5 + tiny},
+                                 {0.5 - rounding, 0.5 + rounding},
+                                 {1, rounding}};
   CHECK(!is_strictly_convex(points, {0, 1, 2, 3}));
   CHECK(is_strictly_convex(points, {0, 1, 2, 4}));
   CHECK(is_strictly_convex(points, {0, 1, 2, none}));
+  // In the caller's coordinates these may be flat or turn the other way.
+  CHECK(!is_strictly_convex(points, {0, 1, 2, 5}));
+  CHECK(!is_strictly_convex(points, {0, 1, 6, 2}));
 }
