@@ -265,11 +265,13 @@ class SurfaceMesher::Run {
 
   std::optional<Error> finish() {
     ShellReport& report = outcome_.report;
+    const bool best = options_.method == Method::best;
     improve("seams", [&] {
-      report.seams = finish_seams(charted(), chart_options(options_), outcome_.mesh);
+      if (best) report.seams = finish_seams(charted(), chart_options(options_), outcome_.mesh);
       part_vertices(surface(), outcome_.mesh);
     });
-    improve("shape", [&] { report.shape = optimise_shape(charted(), shape(), outcome_.mesh); });
+    if (best)
+      improve("shape", [&] { report.shape = optimise_shape(charted(), shape(), outcome_.mesh); });
     stage_ = SurfaceStage::done;
     const StageTimer timer = timed("summary");
     summarise(features_, cross_, size_, outcome_);
@@ -344,18 +346,6 @@ const ShellOutcome& SurfaceMesher::outcome() const { return run_->outcome(); }
 const char* stage_name(SurfaceStage stage) {
   constexpr const char* names[] = {"features", "field", "charts", "mesh", "seams", "done"};
   return names[static_cast<std::size_t>(stage)];
-}
-
-Options chart_options(const SurfaceOptions& options) {
-  Options planar;
-  planar.keep_boundary = true;
-  planar.effort = options.effort;
-  planar.seed = options.seed;
-  planar.growth = 1;  // the surface's sizes are limited already
-  planar.size_weight = options.size_weight;
-  planar.smoothing = options.smoothing;
-  planar.max_elements = options.max_elements;
-  return planar;
 }
 
 Result<ShellOutcome> mesh_surface(SurfaceSoup soup, const SurfaceOptions& options,

@@ -12,7 +12,11 @@ struct SurfaceOptions {
   double turn = 0;
   double growth = 0;
   double weld = 1e-10;
+  Method method = Method::best;
   Effort effort = Effort::normal;
+  Seeds seeds = Seeds::automatic;
+  double norm = 6;
+  int iterations = -1;
   std::uint64_t seed = 1;
   double size_weight = 0.11;
   int smoothing = -1;
@@ -34,9 +38,23 @@ void each_field(O& o, F&& visit) {
   visit("growth", o.growth, FieldInfo{0, 10, "", "Largest slope of the size field; 0 is 0.3."});
   visit("weld", o.weld,
         FieldInfo{0, 0.01, "", "Points nearer than this share of the diagonal become one."});
+  visit("method", o.method,
+        FieldInfo{0, 1, "",
+                  "best: the chain of stages that measures best; paper: isotropic start, L_p, "
+                  "Blossom, smoothing, in every chart, and nothing after."});
   visit("effort", o.effort,
         FieldInfo{0, 1, "",
                   "high: irregular vertices are moved about and cancelled for much longer."});
+  visit(
+      "seeds", o.seeds,
+      FieldInfo{
+          0, 2, "",
+          "Initial points: aligned with the cross field, isotropic, or what the method prefers."});
+  visit("norm", o.norm, FieldInfo{2, 20, "", "Exponent p of the L_p energy."});
+  visit(
+      "iterations", o.iterations,
+      FieldInfo{-1, 100000, "",
+                "L-BFGS iterations; -1 is 80 for an isotropic start and none for an aligned one."});
   visit("seed", o.seed, FieldInfo{0, 9007199254740991.0, "", "Seed of random choices."});
   visit("sizeWeight", o.size_weight,
         FieldInfo{0, 10, "",

@@ -131,8 +131,8 @@ TEST_CASE("what surfaces do not have is refused in words") {
     CHECK_FALSE(std::filesystem::exists(obj));
     return result.err;
   };
-  CHECK(contains(message({"mesh", box, "-o", obj, "--method", "paper"}, 2),
-                 "Option --method is for domains in the plane; this is a surface."));
+  CHECK(contains(message({"mesh", box, "-o", obj, "--simplify", "1"}, 2),
+                 "Option --simplify is for domains in the plane; this is a surface."));
   CHECK(contains(message({"mesh", domains + "/square.json", "-o", obj, "--feature-angle", "30"}, 2),
                  "Option --feature-angle is for surfaces; this is a domain in the plane."));
   CHECK(contains(message({"mesh", box, "-o", folder / "x.su2"}, 2), "must end in .obj, .msh"));

@@ -71,6 +71,24 @@ TEST_CASE("an open pipe is one chart, and its seam vanishes") {
   CHECK(largest_distance(outcome) < 1e-9);
 }
 
+TEST_CASE("the paper's chain runs in every chart, and L_p makes its quads better") {
+  SurfaceOptions options{.size = 0.12, .method = Method::paper};
+  const auto report = [&](int iterations, double norm) {
+    options.iterations = iterations;
+    options.norm = norm;
+    auto outcome = mesh_surface(soup_of(torus(48, 24, 1, 0.4)), options);
+    REQUIRE(outcome.has_value());
+    CHECK(check_shell(outcome->surface, outcome->mesh).empty());
+    return outcome->report;
+  };
+  const ShellReport start = report(0, 6), lloyd = report(60, 6);
+  CHECK(lloyd.seams.windows == 0);
+  CHECK(lloyd.quality.triangles == 0);
+  CHECK(lloyd.quality.eta_mean > start.quality.eta_mean);
+  CHECK(lloyd.quality.four_valent_percent > start.quality.four_valent_percent);
+  CHECK(report(60, 2).hash != lloyd.hash);
+}
+
 TEST_CASE("closed surfaces are cut, meshed and made whole again") {
   for (const SurfaceMesh& mesh : {sphere(12), torus(48, 24, 1, 0.4)}) {
     SurfaceOptions options;
