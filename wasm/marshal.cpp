@@ -229,6 +229,7 @@ SurfaceSoup soup_from(const val& packed) {
     soup.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
   soup.group = indices_from(packed["groups"]);
   soup.group_names = strings_from(packed["groupNames"]);
+  soup.sizes = doubles_from(packed["sizes"]);
   return soup;
 }
 

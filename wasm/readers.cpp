@@ -48,6 +48,7 @@ val read_surface_bytes(const std::string& bytes, const std::string& format,
       result.set("groups", to_array(soup->group));
       result.set("groupNames", to_strings(soup->group_names));
     }
+    if (!soup->sizes.empty()) result.set("sizes", to_array(soup->sizes));
     result.set("warnings", errors_json(soup->warnings));
     return result;
   });

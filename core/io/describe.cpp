@@ -29,8 +29,8 @@ void append_kind(JsonWriter& json, const T& value, const FieldInfo& info) {
 }
 
 template <class Table>
-void append_table(JsonWriter& json, std::string_view name, const Table& defaults) {
-  json.key(name);
+void append_table(JsonWriter& json, std::string_view table, const Table& defaults) {
+  json.key(table);
   json.begin_array();
   each_field(defaults, [&](const char* name, const auto& value, const FieldInfo& info) {
     json.begin_object();

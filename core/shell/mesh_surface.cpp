@@ -86,6 +86,7 @@ class SurfaceMesher::Run {
     if (!repaired) return repaired.error();
     outcome_.surface = std::move(repaired->mesh);
     outcome_.group_names = std::move(repaired->group_names);
+    asked_ = std::move(repaired->sizes);
     outcome_.report.repair = repaired->report;
     for (Warning& warning : repair_warnings(repaired->report))
       warnings.push_back(std::move(warning));
@@ -100,24 +101,25 @@ class SurfaceMesher::Run {
       area += 0.5 * length(cross(surface().points[b] - surface().points[a],
                                  surface().points[c] - surface().points[a]));
     h = options_.size > 0 ? options_.size : default_size(area);
-    if (area / (h * h) > options_.max_elements)
-      return Error{ErrorCode::too_many_elements,
-                   "About " + short_number(area / (h * h)) +
-                       " elements would be needed, more than the limit of " +
-                       std::to_string(options_.max_elements) +
-                       ". Use a larger size or raise maxElements.",
-                   {}};
     const std::vector<double> plain(surface().points.size(), h);
     features_ = find_features(surface(), plain,
                               {.angle = options_.feature_angle, .groups = options_.keep_groups});
     feature_ = features_.half_edges();
     SurfaceSizeOptions sizes;
     sizes.size = h;
+    sizes.at_vertices = asked_;
     sizes.largest_turn = options_.turn * pi / 180;
     sizes.growth = growth();
     auto size = surface_sizes(surface(), feature_, sizes);
     if (!size) return size.error();
     size_ = std::move(*size);
+    const double quads = surface_capacity(surface(), size_);
+    if (quads > options_.max_elements)
+      return Error{
+          ErrorCode::too_many_elements,
+          "About " + short_number(quads) + " elements would be needed, more than the limit of " +
+              std::to_string(options_.max_elements) + ". Use a larger size or raise maxElements.",
+          {}};
     return std::nullopt;
   }
 
@@ -298,6 +300,7 @@ class SurfaceMesher::Run {
   ShellOutcome outcome_;
   SurfaceFeatures features_, lines_;
   std::vector<char> feature_;  // #half-edges
+  std::vector<double> asked_;  // #V or empty, by the caller; 0 = no size there
   std::vector<double> size_;   // #V
   SurfaceCrossField cross_;
   SurfaceCurves curves_;

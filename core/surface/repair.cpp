@@ -53,7 +53,23 @@ class Repair {
                        {}};
         used_[v] = 1;
       }
+    if (auto checked = check_sizes(); !checked) return checked;
     return check_points();
+  }
+
+  Result<int> check_sizes() const {
+    if (!soup_.sizes.empty() && soup_.sizes.size() != soup_.points.size())
+      return Error{ErrorCode::bad_size,
+                   "There are " + std::to_string(soup_.sizes.size()) + " sizes for " +
+                       std::to_string(soup_.points.size()) + " points; give one for each.",
+                   {}};
+    for (std::size_t p = 0; p < soup_.sizes.size(); ++p)
+      if (!(std::isfinite(soup_.sizes[p]) && soup_.sizes[p] >= 0))
+        return Error{
+            ErrorCode::bad_size,
+            "The size at point " + std::to_string(p) + " is no length; give 0 where there is none.",
+            {}};
+    return 0;
   }
 
   Result<int> check_points() {
@@ -161,7 +177,19 @@ class Repair {
     report_.conflict_edges = found.conflicts;
     report_.nonmanifold_vertices = found.pinched_vertices;
     result.report = report_;
+    carry_sizes(result);
     return result;
+  }
+
+  void carry_sizes(RepairedSurface& result) const {
+    if (soup_.sizes.empty()) return;
+    result.sizes.assign(result.mesh.points.size(), 0);
+    for (std::size_t p = 0; p < soup_.sizes.size(); ++p) {
+      const Index v = result.vertex_of_point[p];
+      if (v == none || !(soup_.sizes[p] > 0)) continue;
+      double& size = result.sizes[v];
+      size = size > 0 ? std::min(size, soup_.sizes[p]) : soup_.sizes[p];
+    }
   }
 
   void number_points(RepairedSurface& result) {

@@ -36,6 +36,7 @@ struct RepairReport {
 
 struct RepairedSurface {
   SurfaceMesh mesh;                      // points in the order of the soup
+  std::vector<double> sizes;             // #V or empty: the least of the points that became one
   std::vector<Index> vertex_of_point;    // #points of the soup; none where no triangle has it
   std::vector<std::string> group_names;  // of mesh.group
   RepairReport report;
@@ -43,7 +44,7 @@ struct RepairedSurface {
 
 /// Welds, drops and divides triangles, orients, and cuts where the surface is not manifold.
 /// Errors: parse_error for a corner that is not there; empty; non_finite; too_large beyond 1e100
-/// (squares must not overflow); zero_area if nothing has height. Cost O(#T log #T).
+/// (squares must not overflow); zero_area if nothing has height; bad_size. Cost O(#T log #T).
 Result<RepairedSurface> repair_surface(SurfaceSoup soup, const RepairOptions& options = {});
 
 }  // namespace lpq

@@ -15,6 +15,7 @@ struct SurfaceSoup {
   std::vector<Tri> triangles;
   std::vector<Index> group;              // #T  into group_names; empty = all in group 0
   std::vector<std::string> group_names;  // "" = unnamed; at least one where there is a triangle
+  std::vector<double> sizes;             // #points, target length there, 0 = none; empty = none
   std::vector<Warning> warnings;         // what the file holds and the reader left out
 };
 

@@ -171,6 +171,23 @@ TEST_CASE("PLY: text and bytes of both orders") {
   CHECK(good(read_ply_surface(crlf)).triangles == box.triangles);
 }
 
+TEST_CASE("PLY: a size at every vertex") {
+  const std::string head = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n";
+  const std::string tail =
+      "property float y\nproperty float z\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  const auto read = [&](const std::string& size, const std::string& vertices) {
+    return read_ply_surface(head + size + tail + vertices + "3 0 1 2\n");
+  };
+  const std::string size = "property double size\n";
+  CHECK(good(read(size, "0 0.25 0 0\n1 0.5 0 0\n0 0 1 0\n")).sizes ==
+        std::vector<double>{0.25, 0.5, 0});
+  CHECK(good(read("", "0 0 0\n1 0 0\n0 1 0\n")).sizes.empty());
+  CHECK(
+      good(read("property list uchar float size\n", "0 0 0 0\n1 0 0 0\n0 0 1 0\n")).sizes.empty());
+  CHECK(bad(read(size, "0 nan 0 0\n1 0.5 0 0\n0 0 1 0\n")).code == ErrorCode::non_finite);
+}
+
 TEST_CASE("PLY: what is wrong has a place") {
   CHECK(bad(read_ply_surface("")).code == ErrorCode::parse_error);
   CHECK(bad(read_ply_surface("ply\nformat ascii 1.0\n")).code == ErrorCode::parse_error);

@@ -89,6 +89,22 @@ TEST_CASE("the paper's chain runs in every chart, and L_p makes its quads better
   CHECK(report(60, 2).hash != lloyd.hash);
 }
 
+TEST_CASE("sizes at points win over the size, and grow from there") {
+  const SurfaceMesh pipe = cylinder(48, 60, 0.5, 4);
+  SurfaceSoup soup = soup_of(pipe);
+  soup.sizes.assign(soup.points.size(), 0);
+  for (std::size_t p = 0; p < soup.points.size(); ++p)
+    if (soup.points[p].z == 0) soup.sizes[p] = 0.05;
+  const ShellOutcome outcome = meshed(soup, {.size = 0.2, .growth = 0.1});
+  for (const auto& [a, b] : outcome.mesh.edges) {
+    const Vec3 p = outcome.mesh.points[a], q = outcome.mesh.points[b];
+    if (p.z != q.z) continue;
+    const double asked = p.z == 0 ? 0.05 : 0.2;
+    CHECK(distance(p, q) > 0.75 * asked);
+    CHECK(distance(p, q) < 1.25 * asked);
+  }
+}
+
 TEST_CASE("closed surfaces are cut, meshed and made whole again") {
   for (const SurfaceMesh& mesh : {sphere(12), torus(48, 24, 1, 0.4)}) {
     SurfaceOptions options;

@@ -43,10 +43,10 @@ inline lpq::SurfaceSoup band_soup(int n, int half_turns) {
   lpq::SurfaceSoup soup;
   constexpr double pi = 3.14159265358979323846;
   for (int i = 0; i < n; ++i) {
-    const double angle = 2 * pi * i / n, turn = 0.5 * half_turns * angle;
+    const double angle = 2 * pi * i / n, tilt = 0.5 * half_turns * angle;
     for (const double side : {-0.3, 0.3}) {
-      const double r = 1 + side * std::cos(turn);
-      soup.points.push_back({r * std::cos(angle), r * std::sin(angle), side * std::sin(turn)});
+      const double r = 1 + side * std::cos(tilt);
+      soup.points.push_back({r * std::cos(angle), r * std::sin(angle), side * std::sin(tilt)});
     }
   }
   for (Index i = 0; i < n; ++i) {

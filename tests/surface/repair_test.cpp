@@ -178,6 +178,26 @@ TEST_CASE("what cannot be a surface is refused") {
         ErrorCode::too_large);
 }
 
+TEST_CASE("sizes follow their points, the least of those that are welded") {
+  SurfaceSoup soup = box_soup({1, 1, 1}, 2);  // six sides of nine points each
+  soup.sizes.assign(soup.points.size(), 0);
+  for (std::size_t p = 0; p < soup.points.size(); ++p)
+    if (soup.points[p].x == 1) soup.sizes[p] = 0.1 + 0.001 * static_cast<double>(p);
+  const auto box = repaired(soup);
+  REQUIRE(box.sizes.size() == box.mesh.points.size());
+  for (std::size_t p = 0; p < soup.points.size(); ++p) {
+    const double size = box.sizes[box.vertex_of_point[p]];
+    CHECK((size > 0) == (soup.points[p].x == 1));
+    CHECK(size <= soup.sizes[p]);
+  }
+  for (const double wrong : {-1.0, std::numeric_limits<double>::infinity()}) {
+    soup.sizes[3] = wrong;
+    CHECK(refused(soup) == ErrorCode::bad_size);
+  }
+  soup.sizes.pop_back();
+  CHECK(refused(soup) == ErrorCode::bad_size);
+}
+
 TEST_CASE("groups follow their triangles") {
   SurfaceSoup soup = box_soup({1, 1, 1}, 2);
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)

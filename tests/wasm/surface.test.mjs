@@ -132,6 +132,18 @@ test('groups divide and name faces, unless told otherwise', async () => {
     assert.equal((await lpquad.meshSurface(square, { size: 0.25, keepGroups })).report.faces, faces);
 });
 
+test('sizes at points make quads smaller there, and come from files', async () => {
+  const sizes = Float64Array.from({ length: 8 }, (_, v) => (box.points[3 * v] === 0 ? 0.1 : 0));
+  const fine = await lpquad.meshSurface({ ...box, sizes }, options);
+  const even = await lpquad.meshSurface(box, options);
+  assert.ok(fine.report.quads > 2 * even.report.quads, `${fine.report.quads} of ${even.report.quads}`);
+  await rejectionOf('BAD_SIZE', lpquad.meshSurface({ ...box, sizes: Array(8).fill(-1) }, options));
+  const text = `ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z
+property float size\nelement face 1\nproperty list uchar int vertex_indices\nend_header
+0 0 0 0.5\n1 0 0 0.25\n0 1 0 0\n3 0 1 2\n`;
+  assert.deepEqual([...(await lpquad.readSurface(text)).sizes], [0.5, 0.25, 0]);
+});
+
 test('a wrong form is named by its path', async () => {
   const refuse = (surface) => rejectionOf('PARSE_ERROR', lpquad.meshSurface(surface));
   const cases = [[undefined, 'surface'], [null, 'surface'], ['text', 'surface'], [{}, 'surface.points'],
@@ -144,6 +156,7 @@ test('a wrong form is named by its path', async () => {
     [{ ...box, triangles: [[0, 1, 2], [0, 1, 1.5]] }, 'surface.triangles[1][2]'],
     [{ ...box, groups: [0] }, 'surface.groups'], [{ ...box, groups: Array(12).fill(2), groupNames: ['a'] }, 'surface.groups[0]'],
     [{ ...box, groups: Array(12).fill(NaN) }, 'surface.groups[0]'], [{ ...box, groupNames: [5] }, 'surface.groupNames[0]'],
+    [{ ...box, sizes: [1] }, 'surface.sizes'], [{ ...box, sizes: Array(8).fill('a') }, 'surface.sizes[0]'],
     [{ ...box, faces: [] }, 'surface.faces']];
   for (const [surface, where] of cases) {
     const { message } = await refuse(surface);

@@ -13,6 +13,8 @@ export interface Surface {
   groups?: Int32Array;
   /** Names as given; `''` = unnamed. */
   groupNames?: string[];
+  /** Target edge length at each point, 0 for none, #V: a vertex property `size` of a PLY file. */
+  sizes?: Float64Array;
   /** Of readSurface: what the file holds beside and was left out. */
   warnings?: ReportedError[];
 }
@@ -26,6 +28,8 @@ export interface SurfaceInput {
   /** Borders between groups become edges of the mesh (`keepGroups`). */
   groups?: ArrayLike<number>;
   groupNames?: ReadonlyArray<string>;
+  /** Target edge length at each point, 0 for none; wins over the option `size` there. */
+  sizes?: ArrayLike<number>;
   /** Comments, ignored. */
   name?: string;
   description?: string;
@@ -71,7 +75,7 @@ export interface SurfaceMesh extends Mesh {
 
 export interface SurfaceMeshResult extends SurfaceMesh {
   /** As repaired: welded, without doubles and triangles without height, oriented. */
-  surface: Required<Omit<Surface, 'warnings'>>;
+  surface: Required<Omit<Surface, 'warnings' | 'sizes'>>;
   report: SurfaceReport;
 }
 

@@ -56,10 +56,19 @@ function packGroups({ groups = [], groupNames }, triangles) {
   return { groups: Int32Array.from(groups), groupNames: names.length > 0 ? [...names] : [''] };
 }
 
+function packSizes({ sizes = [] }, points) {
+  checkList(sizes, 'surface.sizes', 'an array of lengths');
+  if (sizes.length > 0 && sizes.length !== points)
+    fail('surface.sizes', `as long as there are points (${points})`, sizes);
+  for (let i = 0; i < sizes.length; ++i)
+    if (typeof sizes[i] !== 'number') fail(`surface.sizes[${i}]`, 'a number', sizes[i]);
+  return Float64Array.from(sizes);
+}
+
 /** @param {import('./surface.js').SurfaceInput} surface */
 export function packSurface(surface) {
-  checkObject(surface, 'surface', ['points', 'triangles', 'groups', 'groupNames', ...comments]);
+  checkObject(surface, 'surface', ['points', 'triangles', 'groups', 'groupNames', 'sizes', ...comments]);
   const points = packPoints(surface.points);
   const triangles = packTriangles(surface.triangles, points);
-  return { points, triangles, ...packGroups(surface, triangles.length / 3) };
+  return { points, triangles, sizes: packSizes(surface, points.length / 3), ...packGroups(surface, triangles.length / 3) };
 }

@@ -149,22 +149,26 @@ class PlyReader {
     for (const Index i : at)
       if (i == none || element.properties[i].is_list)
         return fail("Vertices need the properties x, y and z.");
+    Index size = element.find("size");
+    if (size != none && element.properties[size].is_list) size = none;
     for (std::int64_t v = 0; v < element.count && !failed_; ++v) {
-      double x[3] = {};
+      double x[4] = {};
       for (Index i = 0; i < static_cast<Index>(element.properties.size()); ++i) {
         const PlyProperty& property = element.properties[i];
         const auto axis = static_cast<std::size_t>(std::find(at, at + 3, i) - at);
-        if (axis == 3) {
+        if (axis == 3 && i != size) {
           pass_over(property);
           continue;
         }
         x[axis] = next(property.type);
         if (!std::isfinite(x[axis]))
-          fail("Vertex " + std::to_string(v) + " has a coordinate that is not finite.",
+          fail("Vertex " + std::to_string(v) + " has a coordinate or size that is not finite.",
                ErrorCode::non_finite);
       }
       numbers_.end_element();
-      if (!failed_) builder_.add_point({x[0], x[1], x[2]});
+      if (failed_) return;
+      builder_.add_point({x[0], x[1], x[2]});
+      if (size != none) builder_.set_size(x[3]);
     }
   }
 

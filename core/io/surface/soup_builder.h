@@ -15,6 +15,12 @@ class SoupBuilder {
   Index point_count() const { return static_cast<Index>(soup_.points.size()); }
   void add_point(Vec3 p) { soup_.points.push_back(p); }
 
+  /// Of the last point, where the file says it. Points without have none.
+  void set_size(double size) {
+    soup_.sizes.resize(soup_.points.size(), 0);
+    soup_.sizes.back() = size;
+  }
+
   /// Polygons from now on belong to the group of this key, which is shown as `name`.
   void set_group(const std::string& key, const std::string& name);
 
@@ -28,7 +34,10 @@ class SoupBuilder {
   /// Whether the file is beyond what indices can count.
   bool too_large() const;
 
-  SurfaceSoup take() { return std::move(soup_); }
+  SurfaceSoup take() {
+    if (!soup_.sizes.empty()) soup_.sizes.resize(soup_.points.size(), 0);
+    return std::move(soup_);
+  }
 
  private:
   SurfaceSoup soup_;
