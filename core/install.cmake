@@ -14,6 +14,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}
 
 install(EXPORT lpquadTargets NAMESPACE lpquad:: DESTINATION ${lpq_package_dir})
 file(WRITE ${PROJECT_BINARY_DIR}/lpquadConfig.cmake
+  "include(CMakeFindDependencyMacro)\nfind_dependency(Threads)\n"
   "include(\${CMAKE_CURRENT_LIST_DIR}/lpquadTargets.cmake)\n")
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/lpquadConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)

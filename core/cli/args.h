@@ -19,6 +19,7 @@ namespace lpq {
 struct MeshFiles {
   std::string output, report, stages, svg, uv;
   MeshWriteOptions write;
+  int threads = 0;
   bool quiet = false;
 };
 
@@ -36,6 +37,10 @@ void each_field(O& o, F&& visit) {
                   "Counts, quality, energies and times as JSON; on failure the error."});
   visit("stages", o.stages, FieldInfo{0, 0, "folder", "Every intermediate value of the run."});
   each_field(o.write, visit);
+  visit("threads", o.threads,
+        FieldInfo{0, 1024, "",
+                  "For the charts of a surface, with the same result; 0 = as many as the machine "
+                  "runs at once."});
   visit("quiet", o.quiet, FieldInfo{0, 0, "", "Print nothing but errors."});
 }
 

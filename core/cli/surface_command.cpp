@@ -49,7 +49,8 @@ Result<std::string> mesh_surface_file(const RunFiles& files, const MeshArgs& arg
                                       const std::string& bytes, Monitor monitor) {
   auto soup = read_surface_file(files.input, bytes);
   if (!soup) return soup.error();
-  const auto outcome = mesh_surface(std::move(*soup), args.surface_options, monitor);
+  const auto outcome =
+      mesh_surface(std::move(*soup), args.surface_options, monitor, args.files.threads);
   if (!outcome) return outcome.error();
   if (!files.output.empty()) {
     const auto written = write_file(

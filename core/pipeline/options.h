@@ -65,6 +65,24 @@ struct UserFields {
   std::vector<Vec2> seeds;  // interior points to start L_p from; those not inside are left out
 };
 
+/// How points are placed; of the planar chain, wherever it runs.
+template <class O, class F>
+void each_lp_field(O& o, F&& visit) {
+  visit("effort", o.effort,
+        FieldInfo{0, 1, "",
+                  "high: irregular vertices are moved about and cancelled for much longer."});
+  visit(
+      "seeds", o.seeds,
+      FieldInfo{
+          0, 2, "",
+          "Initial points: aligned with the cross field, isotropic, or what the method prefers."});
+  visit("norm", o.norm, FieldInfo{2, 20, "", "Exponent p of the L_p energy."});
+  visit(
+      "iterations", o.iterations,
+      FieldInfo{-1, 100000, "",
+                "L-BFGS iterations; -1 is 80 for an isotropic start and none for an aligned one."});
+}
+
 template <class O, class F>
 requires std::is_same_v<std::remove_const_t<O>, Options>
 void each_field(O& o, F&& visit) {
@@ -82,19 +100,7 @@ void each_field(O& o, F&& visit) {
         FieldInfo{0, 1, "",
                   "best: the chain of stages that measures best; paper: isotropic start, L_p, "
                   "Blossom, smoothing."});
-  visit("effort", o.effort,
-        FieldInfo{0, 1, "",
-                  "high: irregular vertices are moved about and cancelled for much longer."});
-  visit(
-      "seeds", o.seeds,
-      FieldInfo{
-          0, 2, "",
-          "Initial points: aligned with the cross field, isotropic, or what the method prefers."});
-  visit("norm", o.norm, FieldInfo{2, 20, "", "Exponent p of the L_p energy."});
-  visit(
-      "iterations", o.iterations,
-      FieldInfo{-1, 100000, "",
-                "L-BFGS iterations; -1 is 80 for an isotropic start and none for an aligned one."});
+  each_lp_field(o, visit);
   visit("seed", o.seed,
         FieldInfo{0, 9007199254740991.0, "", "Seed of the isotropic start's jitter."});
   visit("growth", o.growth,

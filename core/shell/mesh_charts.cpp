@@ -2,8 +2,10 @@
 #include "shell/mesh_charts.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "base/hash.h"
+#include "base/share_out.h"
 #include "numerics/elementary.h"
 #include "pipeline/mesher.h"
 #include "shell/chart_domain.h"
@@ -121,10 +123,10 @@ std::array<Index, 2> ChartsMesher::sides_of(Index curve, Index number) const {
 }
 
 void ChartsMesher::step() {
-  if (!job_) open(charted_.atlas.charts[chart_]);
+  if (!job_) job_ = open(chart_);
   auto at = made_.find(job_->key);
   if (at == made_.end()) {
-    auto mesh = step_in();
+    auto mesh = step_in(*job_);
     if (!mesh) return;
     at = made_.emplace(job_->key, std::move(*mesh)).first;
   }
@@ -136,24 +138,49 @@ void ChartsMesher::step() {
   ++chart_;
 }
 
-void ChartsMesher::open(const Chart& chart) {
-  job_ = std::make_unique<Job>(Job{
+bool ChartsMesher::mesh_planes(int threads, FunctionRef<bool(Index)> keep_going) {
+  using Made = std::optional<Result<OutputMesh>>;
+  const std::size_t count = charted_.atlas.charts.size();
+  std::vector<Made> meshes(count);
+  std::vector<std::uint64_t> keys(count);
+  std::atomic<Index> over{0};
+  std::atomic<bool> go_on{true};
+  share_out(count, threads, [&](std::size_t chart, int thread) {
+    if (!go_on) return;
+    const std::unique_ptr<Job> job = open(static_cast<Index>(chart));
+    keys[chart] = job->key;
+    const bool known = made_.find(job->key) != made_.end();
+    while (!known && go_on && !meshes[chart]) {
+      meshes[chart] = step_in(*job);
+      if (thread == 0 && !keep_going(over)) go_on = false;
+    }
+    ++over;
+  });
+  for (std::size_t chart = 0; chart < count; ++chart)
+    if (meshes[chart]) made_.emplace(keys[chart], std::move(*meshes[chart]));
+  return go_on;
+}
+
+std::unique_ptr<ChartsMesher::Job> ChartsMesher::open(Index number) const {
+  const Chart& chart = charted_.atlas.charts[number];
+  auto job = std::make_unique<Job>(Job{
       chart,
       chart_domain(charted_.mesh, charted_.lines, charted_.curves, charted_.atlas, chart, nodes_),
       chart_fields(charted_.mesh, charted_.cross, charted_.size, chart), 0, std::nullopt});
-  job_->key = fingerprint(chart_, job_->domain.input, job_->fields);
+  job->key = fingerprint(number, job->domain.input, job->fields);
+  return job;
 }
 
 /// What became of the chart, once that is known.
-std::optional<Result<OutputMesh>> ChartsMesher::step_in() {
-  if (!job_->mesher) {
-    auto mesher = Mesher::start(job_->domain.input, options_, fields_of_user(job_->fields));
+std::optional<Result<OutputMesh>> ChartsMesher::step_in(Job& job) const {
+  if (!job.mesher) {
+    auto mesher = Mesher::start(job.domain.input, options_, fields_of_user(job.fields));
     if (!mesher) return mesher.error();
-    job_->mesher = std::move(*mesher);
+    job.mesher = std::move(*mesher);
   }
-  if (const auto stage = job_->mesher->step(); !stage) return stage.error();
-  if (job_->mesher->stage() != Stage::done) return std::nullopt;
-  return job_->mesher->output();
+  if (const auto stage = job.mesher->step(); !stage) return stage.error();
+  if (job.mesher->stage() != Stage::done) return std::nullopt;
+  return job.mesher->output();
 }
 
 void ChartsMesher::note(const Job& job, const Error& error) {

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/function_ref.h"
 #include "base/result.h"
 #include "mesh/output_mesh.h"
 #include "pipeline/options.h"
@@ -59,6 +60,10 @@ class ChartsMesher {
 
   /// One step of the planar chain in the current chart; its last step lifts the mesh.
   void step();
+  /// Meshes all charts in their planes at once, so that a step() is a chart from then on. The
+  /// result does not depend on `threads`. `keep_going` is asked between steps, on this thread, with
+  /// the number of charts that are over; false if it said no.
+  bool mesh_planes(int threads, FunctionRef<bool(Index)> keep_going);
   bool done() const { return chart_ == static_cast<Index>(charted_.atlas.charts.size()); }
   Index chart() const { return chart_; }  // the current one: as many are over
   const MeshedCharts& result() const { return result_; }
@@ -72,8 +77,8 @@ class ChartsMesher {
   struct Job;  // the current chart
   void pin_nodes();
   std::array<Index, 2> sides_of(Index curve, Index number) const;
-  void open(const Chart& chart);
-  std::optional<Result<OutputMesh>> step_in();
+  std::unique_ptr<Job> open(Index chart) const;
+  std::optional<Result<OutputMesh>> step_in(Job& job) const;
   void lift(const Job& job, const OutputMesh& plane);
   void note(const Job& job, const Error& error);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/share_out.h"
 #include "numerics/elementary.h"
 #include "pipeline/shape_options.h"
 #include "pipeline/stage_timer.h"
@@ -53,6 +54,15 @@ class SurfaceMesher::Run {
       case SurfaceStage::done: break;
     }
     return std::nullopt;
+  }
+
+  bool mesh_planes(int threads, Monitor monitor) {
+    if (stage_ != SurfaceStage::mesh || !charts_ || charts_->chart() > 0) return true;
+    const StageTimer timer = timed("mesh");
+    const auto count = static_cast<int>(atlas().charts.size());
+    return charts_->mesh_planes(threads, [&](Index over) {
+      return monitor(Progress{stage_name(stage_), over, count});
+    });
   }
 
   SurfaceStage stage() const { return stage_; }
@@ -334,6 +344,10 @@ Result<SurfaceStage> SurfaceMesher::step() {
   return run_->stage();
 }
 
+bool SurfaceMesher::mesh_planes(int threads, Monitor monitor) {
+  return run_->mesh_planes(threads, monitor);
+}
+
 SurfaceStage SurfaceMesher::stage() const { return run_->stage(); }
 const SurfaceOptions& SurfaceMesher::options() const { return run_->options(); }
 const SurfaceMesh& SurfaceMesher::surface() const { return run_->surface(); }
@@ -351,14 +365,17 @@ const char* stage_name(SurfaceStage stage) {
   return names[static_cast<std::size_t>(stage)];
 }
 
-Result<ShellOutcome> mesh_surface(SurfaceSoup soup, const SurfaceOptions& options,
-                                  Monitor monitor) {
+Result<ShellOutcome> mesh_surface(SurfaceSoup soup, const SurfaceOptions& options, Monitor monitor,
+                                  int threads) {
+  if (threads <= 0) threads = machine_threads();
+  const Error cancelled{ErrorCode::cancelled, "The run was cancelled.", {}};
   auto mesher = SurfaceMesher::start(std::move(soup), options);
   if (!mesher) return mesher.error();
   while (mesher->stage() != SurfaceStage::done) {
     const Progress progress{stage_name(mesher->stage()), mesher->charts_meshed(),
                             static_cast<int>(mesher->atlas().charts.size())};
-    if (!monitor(progress)) return Error{ErrorCode::cancelled, "The run was cancelled.", {}};
+    if (!monitor(progress)) return cancelled;
+    if (threads > 1 && !mesher->mesh_planes(threads, monitor)) return cancelled;
     if (const auto stage = mesher->step(); !stage) return stage.error();
   }
   return mesher->outcome();

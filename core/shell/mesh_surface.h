@@ -32,6 +32,11 @@ class SurfaceMesher {
   /// call stage() is what comes next. Errors: those of mesh_surface but cancelled.
   Result<SurfaceStage> step();
 
+  /// In the stage `mesh`, before its first step: meshes all charts in their planes by threads; the
+  /// steps to come only lift them, and the mesh is the same. Otherwise does nothing. False if
+  /// `monitor` said no.
+  bool mesh_planes(int threads, Monitor monitor);
+
   SurfaceStage stage() const;
   const SurfaceOptions& options() const;
   const SurfaceMesh& surface() const;       // as repaired
@@ -50,10 +55,11 @@ class SurfaceMesher {
   std::unique_ptr<Run> run_;
 };
 
-/// The whole run. `monitor` is asked between steps; its iterations are charts. Errors: those of
-/// repair_surface, bad_option, bad_size, too_many_elements, no_valid_mesh,
+/// The whole run. `monitor` is asked between steps, on this thread; its iterations are charts.
+/// `threads`: for the charts, 0 = as many as the machine runs at once; the mesh does not depend on
+/// it. Errors: those of repair_surface, bad_option, bad_size, too_many_elements, no_valid_mesh,
 /// cancelled.
 Result<ShellOutcome> mesh_surface(SurfaceSoup soup, const SurfaceOptions& options = {},
-                                  Monitor monitor = {});
+                                  Monitor monitor = {}, int threads = 0);
 
 }  // namespace lpq

@@ -42,19 +42,7 @@ void each_field(O& o, F&& visit) {
         FieldInfo{0, 1, "",
                   "best: the chain of stages that measures best; paper: isotropic start, L_p, "
                   "Blossom, smoothing, in every chart, and nothing after."});
-  visit("effort", o.effort,
-        FieldInfo{0, 1, "",
-                  "high: irregular vertices are moved about and cancelled for much longer."});
-  visit(
-      "seeds", o.seeds,
-      FieldInfo{
-          0, 2, "",
-          "Initial points: aligned with the cross field, isotropic, or what the method prefers."});
-  visit("norm", o.norm, FieldInfo{2, 20, "", "Exponent p of the L_p energy."});
-  visit(
-      "iterations", o.iterations,
-      FieldInfo{-1, 100000, "",
-                "L-BFGS iterations; -1 is 80 for an isotropic start and none for an aligned one."});
+  each_lp_field(o, visit);
   visit("seed", o.seed, FieldInfo{0, 9007199254740991.0, "", "Seed of random choices."});
   visit("sizeWeight", o.size_weight,
         FieldInfo{0, 10, "",

@@ -105,6 +105,26 @@ TEST_CASE("sizes at points win over the size, and grow from there") {
   }
 }
 
+TEST_CASE("threads change nothing, and can be told to stop") {
+  const SurfaceSoup box = box_soup({1, 2, 1}, 3);
+  const auto hash = [&](int threads) {
+    return mesh_surface(box, {.size = 0.11}, {}, threads)->report.hash;
+  };
+  const std::uint64_t alone = hash(1);
+  for (const int threads : {0, 2, 7}) CHECK(hash(threads) == alone);
+
+  int asked = 0;
+  const Monitor stop{[](const Progress& progress, void* count) {
+                       return std::string(progress.stage) != "mesh" ||
+                              ++*static_cast<int*>(count) < 5;
+                     },
+                     &asked};
+  const auto stopped = mesh_surface(box, {.size = 0.11}, stop, 3);
+  REQUIRE_FALSE(stopped.has_value());
+  CHECK(stopped.error().code == ErrorCode::cancelled);
+  CHECK(asked == 5);
+}
+
 TEST_CASE("closed surfaces are cut, meshed and made whole again") {
   for (const SurfaceMesh& mesh : {sphere(12), torus(48, 24, 1, 0.4)}) {
     SurfaceOptions options;

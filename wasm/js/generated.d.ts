@@ -138,10 +138,33 @@ export interface SurfaceOptions {
    */
   weld?: number;
   /**
+   * best: the chain of stages that measures best; paper: isotropic start, L_p, Blossom, smoothing, in every chart, and nothing after.
+   * @default "best"
+   */
+  method?: 'best' | 'paper';
+  /**
    * high: irregular vertices are moved about and cancelled for much longer.
    * @default "normal"
    */
   effort?: 'normal' | 'high';
+  /**
+   * Initial points: aligned with the cross field, isotropic, or what the method prefers.
+   * @default "automatic"
+   */
+  seeds?: 'automatic' | 'aligned' | 'isotropic';
+  /**
+   * Exponent p of the L_p energy.
+   * Range: 2 to 20.
+   * @default 6
+   */
+  norm?: number;
+  /**
+   * L-BFGS iterations; -1 is 80 for an isotropic start and none for an aligned one.
+   * A whole number.
+   * Range: -1 to 100000.
+   * @default -1
+   */
+  iterations?: number;
   /**
    * Seed of random choices.
    * A whole number.

@@ -86,14 +86,14 @@ export async function surfaces(lpquad: Lpquad): Promise<void> {
   // @ts-expect-error no such format
   await lpquad.readSurface('', { format: 'step' });
   const mesh: SurfaceMeshResult = await lpquad.meshSurface(surface, {
-    size: 1, featureAngle: 30, keepGroups: false, turn: 20, growth: 0.2, weld: 1e-7, effort: 'high',
+    size: 1, featureAngle: 30, keepGroups: false, turn: 20, growth: 0.2, weld: 1e-7, effort: 'high', method: 'paper', norm: 4, iterations: 20,
     onProgress: ({ stage, chart, chartCount }) => stage !== 'seams' && chart <= chartCount,
   });
-  await lpquad.meshSurface({ points: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles: [0, 1, 2], groups: [0], groupNames: ['a'] });
+  await lpquad.meshSurface({ points: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles: [0, 1, 2], groups: [0], sizes: [1, 1, 0], groupNames: ['a'] });
   // @ts-expect-error a point of a surface has three coordinates
   await lpquad.meshSurface({ points: [[0, 0], [1, 0], [0, 1]], triangles: [0, 1, 2] });
   // @ts-expect-error no such option of surfaces
-  await lpquad.meshSurface(surface, { norm: 6 });
+  await lpquad.meshSurface(surface, { keepBoundary: true });
   // @ts-expect-error a promise
   lpquad.meshSurface(surface).quads;
   const { where, hash }: { where: Int32Array; hash: string } = { where: mesh.placeTriangles, hash: mesh.report.hash };
