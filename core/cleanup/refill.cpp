@@ -20,14 +20,13 @@ struct Shape {
   Index invalid = 0, flat = 0;
   double loss = 0, worst = 1;
 
-  void add(std::span<const Vec2> points, const Face& face) {
+  void add(const std::vector<Vec2>& points, const Face& face) {
     if (!is_strictly_convex(points, face)) {
       ++invalid;
       loss += 1;
       worst = 0;
-    } else if (face[3] != none) {
-      const double eta =
-          quad_eta(points[face[0]], points[face[1]], points[face[2]], points[face[3]]);
+    } else {
+      const double eta = face_eta(points, face);
       flat += eta < flat_eta;
       loss += 1 - eta;
       worst = std::min(worst, eta);

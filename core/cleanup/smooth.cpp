@@ -16,10 +16,9 @@ constexpr int lifting_rings = 2, lifting_steps = 25;
 // Faces still below (needle corners) are left alone; more of them where the descent got stuck.
 constexpr double pinned_below[] = {0.02, 0.1, 0.3};
 
-// eta of quads; a triangle counts by its validity alone, a face that is not strictly convex as -1.
+// A face that is not strictly convex counts as -1.
 double guarded_eta(const QuadMesh& mesh, const Face& face) {
-  if (!is_strictly_convex(mesh.points, face)) return -1;
-  return face[3] == none ? 1 : face_eta(mesh, face);
+  return is_strictly_convex(mesh.points, face) ? face_eta(mesh.points, face) : -1;
 }
 
 // Puts the vertices of every face that is now worse than `least` back to where they were, again and

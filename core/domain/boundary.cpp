@@ -19,7 +19,8 @@ Error odd_region(const Domain& domain, Index region, Index count) {
   return {ErrorCode::odd_boundary,
           name + " has " + std::to_string(count) +
               " boundary edges, an odd number, but a mesh of quads alone needs an even one. Add or "
-              "remove one boundary point, or allow one to be added, or allow triangles.",
+              "remove one boundary point, or allow one to be added (allowAddedPoint), or allow one "
+              "triangle (elements: one-triangle).",
           where};
 }
 

@@ -89,12 +89,10 @@ std::string region_label(const OutputMesh& mesh, Index region) {
 }
 
 double output_eta(const OutputMesh& mesh, const Face& face) {
+  if (!mesh.in_space()) return face_eta(mesh.points, face);
   if (corner_count(face) == 3) return 0;
-  if (mesh.in_space())
-    return quad_eta(mesh.point(face[0]), mesh.point(face[1]), mesh.point(face[2]),
-                    mesh.point(face[3]));
-  return quad_eta(mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]],
-                  mesh.points[face[3]]);
+  return quad_eta(mesh.point(face[0]), mesh.point(face[1]), mesh.point(face[2]),
+                  mesh.point(face[3]));
 }
 
 }  // namespace lpq

@@ -110,10 +110,22 @@ double quad_eta(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   return std::max(1 - 2 / pi * arc_tangent(worst_dot, worst_cross), 0.0);
 }
 
-double face_eta(const QuadMesh& mesh, const Face& face) {
-  if (corner_count(face) == 3) return 0;
-  return quad_eta(mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]],
-                  mesh.points[face[3]]);
+// The smallest angle is at least 0 and the largest at most pi; eta is 1 where both are pi / 3.
+double triangle_eta(Vec2 a, Vec2 b, Vec2 c) {
+  if (!(cross(b - a, c - a) > 0)) return 0;
+  const Vec2 corner[3] = {a, b, c};
+  double eta = 1;
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 ahead = corner[(k + 1) % 3] - corner[k], back = corner[(k + 2) % 3] - corner[k];
+    const double share = 3 / pi * arc_tangent(cross(ahead, back), dot(ahead, back));
+    eta = std::min({eta, share, (3 - share) / 2});
+  }
+  return std::max(eta, 0.0);
+}
+
+double face_eta(const std::vector<Vec2>& points, const Face& face) {
+  const Vec2 a = points[face[0]], b = points[face[1]], c = points[face[2]];
+  return corner_count(face) == 3 ? triangle_eta(a, b, c) : quad_eta(a, b, c, points[face[3]]);
 }
 
 double tau(const TriMesh& mesh) {

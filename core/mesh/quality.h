@@ -11,7 +11,10 @@ namespace lpq {
 
 /// eta = max(1 - 2/pi max_k |pi/2 - alpha_k|, 0) with signed interior angles in (0, 2 pi).
 double quad_eta(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
-double face_eta(const QuadMesh& mesh, const Face& face);  // triangles: 0
+/// The same for three corners that should have 60 degrees: 1 - max_k |pi/3 - alpha_k| over what the
+/// angle can deviate to that side (2 pi/3 above, pi/3 below).
+double triangle_eta(Vec2 a, Vec2 b, Vec2 c);
+double face_eta(const std::vector<Vec2>& points, const Face& face);  // of either
 
 /// tau = mean over triangles of max_j |sin theta_j|; 1 for right-angled triangles.
 double tau(const TriMesh& mesh);

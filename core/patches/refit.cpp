@@ -14,8 +14,7 @@ constexpr double least_gain = 1e-9;  // of irregularity: less is none
 
 double worst_eta(const QuadMesh& mesh) {
   double worst = 1;
-  for (const Face& face : mesh.faces)
-    if (face[3] != none) worst = std::min(worst, face_eta(mesh, face));
+  for (const Face& face : mesh.faces) worst = std::min(worst, face_eta(mesh.points, face));
   return worst;
 }
 

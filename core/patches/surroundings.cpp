@@ -119,12 +119,7 @@ double Surroundings::energy_now(const EtaEnergyOptions& options) const {
 double Surroundings::worst_eta_now() const {
   double worst = 1;
   for (const std::vector<Index>* faces : {&patch_, &outside_})
-    for (const Index f : *faces) {
-      const Face& q = mesh_.face(f);
-      if (q[3] == none) continue;
-      worst = std::min(worst, quad_eta(mesh_.point(q[0]), mesh_.point(q[1]), mesh_.point(q[2]),
-                                       mesh_.point(q[3])));
-    }
+    for (const Index f : *faces) worst = std::min(worst, face_eta(mesh_.points(), mesh_.face(f)));
   return worst;
 }
 

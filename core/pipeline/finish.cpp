@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <span>
 
+#include "base/fields.h"
 #include "base/hash.h"
+#include "mesh/quality.h"
 
 namespace lpq {
 namespace {
@@ -78,6 +80,26 @@ std::vector<Violation> check_output(const OutputMesh& mesh) {
   }
   std::sort(plain.walls.begin(), plain.walls.end());
   return validate(plain, {outline});
+}
+
+std::vector<Warning> tell_triangles(const OutputMesh& mesh) {
+  std::vector<Warning> warnings;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const Face& face = mesh.faces[f];
+    if (corner_count(face) != 3) continue;
+    const Vec2 centre = centre_of(mesh.points, face);
+    Warning warning;
+    warning.code = ErrorCode::odd_boundary;
+    warning.message =
+        "The number of boundary edges is odd, so one triangle was left here, of eta " +
+        short_number(face_eta(mesh.points, face)) + ".";
+    warning.where.region = mesh.region[f];
+    warning.where.has_point = true;
+    warning.where.x = centre.x;
+    warning.where.y = centre.y;
+    warnings.push_back(std::move(warning));
+  }
+  return warnings;
 }
 
 SizeFidelity size_fidelity(const QuadMesh& mesh, const Fields& fields) {

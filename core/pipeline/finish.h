@@ -20,6 +20,10 @@ OutputMesh to_output(const QuadMesh& mesh, const Domain& domain, const BoundaryM
 /// The promise, checked on the very coordinates that leave the library. Empty = kept.
 std::vector<Violation> check_output(const OutputMesh& mesh);
 
+/// Tells of every triangle where it is and how good; for meshes that have one only in parts of odd
+/// count.
+std::vector<Warning> tell_triangles(const OutputMesh& mesh);
+
 /// Achieved edge length over the target at the edge's midpoint.
 SizeFidelity size_fidelity(const QuadMesh& mesh, const Fields& fields);
 

@@ -223,15 +223,17 @@ void Mesher::match() {
   }
   if (attempt().subdivide) {
     quads_ = subdivide_triangles(triangles_, boundary(), frame());
+    triangles_left_ = 0;
     report_.chain += " + subdivision";
     return;
   }
   RecombineOptions recombine_options;
-  recombine_options.all_quads = options_.elements == Elements::quad;
+  recombine_options.all_quads = options_.elements != Elements::quad_dominant;
   recombine_options.keep_matching = trace_.has_value();
   if (options_.method == Method::paper) recombine_options.alignment_weight = 0;
   RecombineResult result = recombine(triangles_, *fields_, recombine_options);
   quads_ = std::move(result.mesh);
+  triangles_left_ = result.triangles;
   report_.extra_edges = result.extra_edges;
   report_.matching_cost = result.cost;
   report_.chain += " + matching";
@@ -309,15 +311,18 @@ Result<Stage> Mesher::check() {
     return next_attempt(describe(violations));
 
   report_.quality = quad_quality(quads_);
-  if (options_.elements == Elements::quad && report_.quality.triangles > 0)
-    return next_attempt(
-        {ErrorCode::no_valid_mesh,
-         std::to_string(report_.quality.triangles) + " triangles could not be paired into quads.",
-         {}});
+  if (const Index surplus = report_.quality.triangles - triangles_allowed(); surplus > 0)
+    return next_attempt({ErrorCode::no_valid_mesh,
+                         std::to_string(surplus) + " triangles could not be paired into quads.",
+                         {}});
   report_.interior_vertices = static_cast<Index>(output_.points.size()) - output_.fixed;
   report_.size = size_fidelity(quads_, prepared_->fields);
   report_.hash = output_hash(output_);
-  keep_better({quads_, output_, report_});
+  Candidate candidate{quads_, output_, report_};
+  if (options_.elements == Elements::one_triangle)
+    for (const Warning& warning : tell_triangles(output_))
+      candidate.report.warnings.push_back(warning);
+  keep_better(std::move(candidate));
   if (attempt_ + 1 < attempts_.size() && attempts_[attempt_ + 1].alternative) {
     ++attempt_;
     return stage_ = Stage::seeds;
@@ -328,6 +333,16 @@ Result<Stage> Mesher::check() {
   report_ = kept_->report;
   report_.times = times;
   return stage_ = Stage::done;
+}
+
+// The matching leaves one in every part of odd count; later steps neither need nor make others.
+Index Mesher::triangles_allowed() const {
+  switch (options_.elements) {
+    case Elements::quad: return 0;
+    case Elements::one_triangle: return triangles_left_;
+    case Elements::quad_dominant: break;
+  }
+  return report_.quality.triangles;
 }
 
 void Mesher::keep_better(Candidate candidate) {

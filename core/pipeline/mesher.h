@@ -81,6 +81,7 @@ class Mesher {
   bool for_shape() const { return options_.method == Method::best; }
   int smoothing() const;
   Result<Stage> check();
+  Index triangles_allowed() const;
   Result<Stage> next_attempt(const Error& failure);
   void keep_better(Candidate candidate);
 
@@ -95,7 +96,8 @@ class Mesher {
   TriMesh triangles_;
   QuadMesh quads_;
   std::optional<PatchRemesher> patches_;
-  int smoothed_ = 0;  // iterations so far
+  int smoothed_ = 0;          // iterations so far
+  Index triangles_left_ = 0;  // by the matching, of an attempt
   OutputMesh output_;
   Report report_;
   std::optional<Candidate> kept_;

@@ -12,7 +12,7 @@
 namespace lpq {
 
 enum class Method { best, paper };
-enum class Elements { quad, quad_dominant };
+enum class Elements { quad, one_triangle, quad_dominant };
 enum class Effort { normal, high };
 enum class Seeds { automatic, aligned, isotropic };
 
@@ -22,7 +22,7 @@ struct ChoiceNames<Method> {
 };
 template <>
 struct ChoiceNames<Elements> {
-  static constexpr std::array<const char*, 2> names{"quad", "quad-dominant"};
+  static constexpr std::array<const char*, 3> names{"quad", "one-triangle", "quad-dominant"};
 };
 template <>
 struct ChoiceNames<Effort> {
@@ -94,8 +94,10 @@ void each_field(O& o, F&& visit) {
         FieldInfo{0, 1, "", "The given points are the boundary mesh and come back bit for bit."});
   visit("elements", o.elements,
         FieldInfo{
-            0, 1, "",
-            "quad: no triangle at all; quad-dominant: a triangle may stay where it is better."});
+            0, 2, "",
+            "quad: no triangle at all; one-triangle: just one where a kept boundary has an odd "
+            "count, placed where it costs least; quad-dominant: a triangle may stay where it is "
+            "better."});
   visit("method", o.method,
         FieldInfo{0, 1, "",
                   "best: the chain of stages that measures best; paper: isotropic start, L_p, "
@@ -111,8 +113,11 @@ void each_field(O& o, F&& visit) {
         FieldInfo{0, 1e300, "length",
                   "Boundary vertices may be dropped when the outline moves by at most this (not "
                   "with keepBoundary)."});
-  visit("allowAddedPoint", o.allow_added_point,
-        FieldInfo{0, 1, "", "A kept boundary with an odd count may get one added point."});
+  visit(
+      "allowAddedPoint", o.allow_added_point,
+      FieldInfo{
+          0, 1, "",
+          "A kept boundary with an odd count may get one added point (rather than one triangle)."});
   visit("strict", o.strict,
         FieldInfo{0, 1, "",
                   "Repeated consecutive points are an error instead of merged with a warning."});

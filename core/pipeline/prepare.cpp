@@ -79,13 +79,19 @@ Result<double> judge_size(const Domain& domain, const Options& options) {
   return size;
 }
 
+// Quads alone need even counts; one triangle stands in where a count cannot be made even.
+bool requires_even(const Options& options) {
+  if (options.elements != Elements::one_triangle) return options.elements == Elements::quad;
+  return !options.keep_boundary || options.allow_added_point;
+}
+
 BoundaryOptions boundary_options(const Domain& domain, const Options& options, double size,
                                  double growth, Index most_nodes) {
   return {.keep = options.keep_boundary,
           .size = size,
           .growth = growth,
           .simplify_tolerance = domain.frame.length_to_frame(options.simplify),
-          .require_even = options.elements == Elements::quad,
+          .require_even = requires_even(options),
           .allow_added_point = options.allow_added_point,
           // a quad has four edges: more nodes than that mean more elements than allowed
           .max_nodes = std::min(most_nodes, Index{4} * options.max_elements)};

@@ -103,7 +103,7 @@ QuadLayer quad_layer(const Mesher& mesher) {
   layer.fixed = mesh.fixed;
   std::stable_partition(layer.faces.begin(), layer.faces.end(),
                         [](const Face& face) { return corner_count(face) == 4; });
-  for (const Face& face : layer.faces) layer.eta.push_back(face_eta(mesh, face));
+  for (const Face& face : layer.faces) layer.eta.push_back(face_eta(mesh.points, face));
   const QuadTopology topology(mesh);
   const IdealValence ideal(topology);
   for (Index v = 0; v < topology.vertex_count(); ++v) {

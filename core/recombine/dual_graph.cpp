@@ -1,7 +1,9 @@
 #include "recombine/dual_graph.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "mesh/quality.h"
 #include "recombine/costs.h"
 #include "recombine/pair_cost.h"
 
@@ -57,8 +59,15 @@ void add_extra_edges(const TriMesh& mesh, const Fans& fans, DualGraph& graph) {
   graph.extras = static_cast<Index>(graph.edges.size()) - graph.merges;
 }
 
+/// What a triangle costs that is left over, by its own shape.
+std::int64_t left_over_cost(const TriMesh& mesh, Index t) {
+  const auto [a, b, c] = mesh.triangles[t];
+  const double eta = triangle_eta(mesh.points[a], mesh.points[b], mesh.points[c]);
+  return static_cast<std::int64_t>(std::floor((1 - eta) * unit_cost + 0.5));
+}
+
 /// One node for every part (triangles connected without crossing walls) of odd size, joined to all
-/// its triangles at no cost: the best place for the left-over triangle is where it makes the rest
+/// its triangles: the best place for the left-over triangle is where it and the rest together are
 /// cheapest.
 void add_partners(const TriMesh& mesh, DualGraph& graph) {
   std::vector<char> seen(mesh.triangles.size(), 0);
@@ -75,7 +84,7 @@ void add_partners(const TriMesh& mesh, DualGraph& graph) {
       }
     if (part.size() % 2 == 0) continue;
     std::sort(part.begin(), part.end());
-    for (Index t : part) graph.edges.push_back({t, graph.nodes, 0});
+    for (Index t : part) graph.edges.push_back({t, graph.nodes, left_over_cost(mesh, t)});
     ++graph.nodes;
   }
 }

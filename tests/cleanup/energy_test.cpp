@@ -134,7 +134,7 @@ TEST_CASE("the eta energy of one quad brackets 1 - eta") {
     std::vector<Vec2> gradient(4);
     const Evaluation e =
         eta_energy(mesh.faces, mesh.points, unit, {.size_weight = 0, .floor_weight = 0}, gradient);
-    const double loss = 1 - face_eta(mesh, mesh.faces[0]);
+    const double loss = 1 - face_eta(mesh.points, mesh.faces[0]);
     if (e.status != EvalStatus::ok || loss == 1) continue;
     // max <= 8-norm <= 4^(1/8) max
     CHECK(e.value >= loss);

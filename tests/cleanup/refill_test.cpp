@@ -142,7 +142,7 @@ TEST_CASE("a flat quad at a wall is mended") {
   const QuadMesh start = mesh_of({{0, 0}, {2, -0.01}, {4, 0}, {4, 4}, {2, 4}, {0, 4}, {2, 2}},
                                  {{0, 1, 2, 6}, {2, 3, 4, 6}, {6, 4, 5, 0}}, 6);
   REQUIRE(invalid_faces(start).empty());
-  REQUIRE(face_eta(start, start.faces[0]) < 0.01);
+  REQUIRE(face_eta(start.points, start.faces[0]) < 0.01);
   QuadTopology topology(start);
   const IdealValence ideal(topology);
   DiskPatterns patterns(PatternSet::repair);
@@ -150,7 +150,7 @@ TEST_CASE("a flat quad at a wall is mended") {
   const QuadMesh result = std::move(topology).compact();
   CHECK(border_of(result) == border_of(start));
   CHECK(invalid_faces(result).empty());
-  for (const Face& face : result.faces) CHECK(face_eta(result, face) > 0.4);
+  for (const Face& face : result.faces) CHECK(face_eta(result.points, face) > 0.4);
 }
 
 TEST_CASE("mending flat quads leaves needles and good meshes alone") {

@@ -126,6 +126,16 @@ TEST_CASE("the percentile interpolates between order statistics") {
   CHECK(quad_quality(mesh).eta_p5 == Approx(2.0 / 3 + 0.05 / 3).epsilon(1e-13));
 }
 
+TEST_CASE("eta of a triangle: 1 at three times 60 degrees, 0 where it is flat") {
+  const double s = std::sqrt(3.0) / 2;
+  CHECK(triangle_eta({0, 0}, {1, 0}, {0.5, s}) == Approx(1).epsilon(1e-14));
+  CHECK(triangle_eta({0, 0}, {1, 0}, {0, 2 * s}) == Approx(0.5).epsilon(1e-14));  // 30, 60, 90
+  CHECK(triangle_eta({0, 0}, {1, 0}, {-0.5, s}) == Approx(0.5).epsilon(1e-14));   // 30, 30, 120
+  CHECK(triangle_eta({0, 0}, {1, 0}, {2, 0}) == 0);
+  CHECK(triangle_eta({0, 0}, {0, 1}, {1, 0}) == 0);  // clockwise
+  CHECK(triangle_eta({0, 0}, {1, 0}, {0.5, 1e-3}) < 0.01);
+}
+
 TEST_CASE("triangles among quads") {
   QuadMesh mesh = grid_quads(2, 1);
   const Face last = mesh.faces.back();
@@ -136,6 +146,6 @@ TEST_CASE("triangles among quads") {
   CHECK(quality.quads == 1);
   CHECK(quality.triangles == 2);
   CHECK(quality.inverted == 0);
-  CHECK(face_eta(mesh, mesh.faces.back()) == 0);
-  CHECK(face_eta(mesh, mesh.faces.front()) == Approx(1));
+  CHECK(face_eta(mesh.points, mesh.faces.back()) == Approx(0.75));  // 45, 45, 90 degrees
+  CHECK(face_eta(mesh.points, mesh.faces.front()) == Approx(1));
 }

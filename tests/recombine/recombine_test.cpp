@@ -197,6 +197,20 @@ TEST_CASE("a part of odd size keeps exactly one triangle") {
   CHECK(run(one).mesh.faces.size() == 1);
 }
 
+TEST_CASE("a left-over triangle pays for its own shape") {
+  for (const TriMesh& part : {half_disc(5), half_disc(7, 300)}) {
+    const RecombineResult result = run(part);
+    const Index triangles = part.triangle_count();
+    REQUIRE(std::max(result.graph.back().u, result.graph.back().v) == triangles);
+    for (const CostEdge& edge : result.graph) {
+      if (std::max(edge.u, edge.v) < triangles) continue;
+      const auto [a, b, c] = part.triangles[std::min(edge.u, edge.v)];
+      const double eta = triangle_eta(part.points[a], part.points[b], part.points[c]);
+      CHECK(static_cast<double>(edge.cost) == Approx(1e4 * (1 - eta)).margin(0.51));
+    }
+  }
+}
+
 TEST_CASE("regions are kept and their border is a wall") {
   TriMesh mesh = grid_triangles(6, 4);
   for (Index t = 0; t < mesh.triangle_count(); ++t) {

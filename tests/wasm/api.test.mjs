@@ -114,6 +114,16 @@ test('a kept boundary comes back bit for bit', () => {
   assert.deepEqual([...mesh.points.slice(0, 80)], loop.flat());
 });
 
+test('a kept boundary of odd count gets one triangle where it is allowed, and the report says where', () => {
+  const odd = [[0, 0], [1, 0], [2, 0], [3, 0], [3, 1], [3, 2], [2, 2], [1, 2], [0, 2]];
+  const mesh = lpquad.meshDomain({ loops: [odd] }, { keepBoundary: true, elements: 'one-triangle' });
+  assert.equal(mesh.triangles.length, 3);
+  assert.equal(mesh.report.triangles, 1);
+  const [{ code, where }] = mesh.report.warnings;
+  assert.equal(code, 'ODD_BOUNDARY');
+  assert.ok(where.x > 0 && where.x < 3 && where.y > 0 && where.y < 2);
+});
+
 test('regions, tags, polylines and points reach the mesh by name', () => {
   const domain = {
     regions: [

@@ -95,5 +95,5 @@ test('crossings of loops, regions and lines are mended too', () => {
 test('an odd boundary is shown where the node would come', () => {
   const of = faults.ODD_BOUNDARY, problem = problemOf(of);
   assert.deepEqual(placeOf(problem, of), [0.5, 0]);
-  assert.deepEqual(fixesFor(problem, of).map(({ label }) => label), ['Add a node here', 'Allow one added point', 'Allow a triangle']);
+  assert.deepEqual(fixesFor(problem, of).map(({ label }) => label), ['Add a node here', 'Allow one added point', 'Allow one triangle']);
 });

@@ -14,10 +14,10 @@ export interface MeshOptions {
    */
   keepBoundary?: boolean;
   /**
-   * quad: no triangle at all; quad-dominant: a triangle may stay where it is better.
+   * quad: no triangle at all; one-triangle: just one where a kept boundary has an odd count, placed where it costs least; quad-dominant: a triangle may stay where it is better.
    * @default "quad"
    */
-  elements?: 'quad' | 'quad-dominant';
+  elements?: 'quad' | 'one-triangle' | 'quad-dominant';
   /**
    * best: the chain of stages that measures best; paper: isotropic start, L_p, Blossom, smoothing.
    * @default "best"
@@ -67,7 +67,7 @@ export interface MeshOptions {
    */
   simplify?: number;
   /**
-   * A kept boundary with an odd count may get one added point.
+   * A kept boundary with an odd count may get one added point (rather than one triangle).
    * @default false
    */
   allowAddedPoint?: boolean;

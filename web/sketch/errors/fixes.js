@@ -218,7 +218,7 @@ const fixes = {
   BAD_SIZE: () => [{ label: 'Use a size that fits', change: ({ drawing, options, sizes }) =>
     ({ options: { ...options, size: fittingSize(drawing) }, sizes: sizes.filter(([, , h]) => h > 0) }) }],
   ODD_BOUNDARY: (problem) => [redraw('Add a node here', (_, project) => splitLongest(problem, project)),
-    choose('Allow one added point', () => ({ allowAddedPoint: true })), choose('Allow a triangle', () => ({ elements: 'quad-dominant' }))],
+    choose('Allow one added point', () => ({ allowAddedPoint: true })), choose('Allow one triangle', () => ({ elements: 'one-triangle' }))],
   TOO_NARROW: (problem) => [redraw('Remove this vertex', removeBest(problem)), redraw('Simplify the outline', simpler), undo],
   LOST_PRECISION: () => [{ label: 'Move it to the origin', change: toOrigin }, { label: 'Use a larger size', change: larger }],
   TOO_MANY_ELEMENTS: () => [{ label: 'Use a larger size', change: larger }],
