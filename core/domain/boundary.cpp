@@ -1,57 +1,74 @@
-// Kept mode needs no geometry, only the parity of the counts: a region meshed with Q quads has
+// Kept mode needs only the parity of the counts: a part of the domain meshed with Q quads has
 // 4 Q = 2 E_interior + B, so B must be even.
 #include "domain/boundary.h"
 
+#include <algorithm>
+
 #include "domain/division.h"
 #include "domain/outline.h"
+#include "domain/parts.h"
 #include "domain/refine.h"
 
 namespace lpq {
 namespace {
 
-Error odd_region(const Domain& domain, Index region, Index count) {
-  std::string name = domain.regions.size() > 1 || !domain.regions[region].empty()
-                         ? "Region " + std::to_string(region)
-                         : std::string("The domain");
-  if (!domain.regions[region].empty()) name += " (" + domain.regions[region] + ")";
+/// About the odd part beside a segment that could be divided to help.
+Error odd_part(const Domain& domain, const Parts& parts, std::span<const Index> counts,
+               Index segment) {
+  const Segment& s = parts.segments[segment];
+  const Index part = s.left != none && counts[s.left] % 2 != 0 ? s.left : s.right;
   Where where;
-  where.region = region;
+  where.region = parts.region[part];
+  const std::string& label = domain.regions[where.region];
+  std::string name = "the domain";
+  if (domain.regions.size() > 1 || !label.empty())
+    name = "region " + std::to_string(where.region) + (label.empty() ? "" : " (" + label + ")");
+  if (std::count(parts.region.begin(), parts.region.end(), where.region) > 1) {
+    const Vec2 middle = midpoint(domain.points[s.a], domain.points[s.b]);
+    where = at_point(where, domain.frame.to_world(middle));
+    name = "A part of " + name + ", cut off by polylines,";
+  } else {
+    name.front() = static_cast<char>(name.front() - 'a' + 'A');
+  }
   return {ErrorCode::odd_boundary,
-          name + " has " + std::to_string(count) +
+          name + " has " + std::to_string(counts[part]) +
               " boundary edges, an odd number, but a mesh of quads alone needs an even one. Add or "
               "remove one boundary point, or allow one to be added (allowAddedPoint), or allow one "
               "triangle (elements: one-triangle).",
           where};
 }
 
+/// The middles of the chosen segments.
+Division halve(const Domain& domain, const std::vector<Index>& chosen) {
+  std::vector<char> is_chosen(domain.segments.size(), 0);
+  for (const Index i : chosen) is_chosen[i] = 1;
+  Division division;
+  for (std::size_t i = 0; i < domain.segments.size(); ++i) {
+    const Segment& s = domain.segments[i];
+    if (is_chosen[i])
+      division.values.push_back(
+          domain.frame.snap(midpoint(domain.points[s.a], domain.points[s.b])));
+    division.end_row();
+  }
+  return division;
+}
+
 Result<BoundaryMesh> keep_given(const Domain& domain, const BoundaryOptions& options) {
-  const Index region_count = static_cast<Index>(domain.regions.size());
   const std::vector<Index> pieces(domain.segments.size(), 1);
-  std::vector<char> divide(domain.segments.size(), 0);
-  Index added = 0;
+  std::vector<Index> cure;
   if (options.require_even) {
-    const std::vector<Index> counts = boundary_counts(domain.segments, region_count, pieces);
-    for (Index r = 0; r < region_count; ++r)
-      if (counts[r] % 2 != 0 && !options.allow_added_point) return odd_region(domain, r, counts[r]);
+    const Parts parts = find_parts(domain.points, domain.segments);
     std::vector<double> lengths;
     for (const Segment& s : domain.segments)
       lengths.push_back(distance(domain.points[s.a], domain.points[s.b]));
-    for (const Index s : segments_to_even(domain.segments, region_count, pieces, lengths)) {
-      divide[s] = 1;
-      ++added;
-    }
-  }
-  Division division;
-  for (std::size_t s = 0; s < domain.segments.size(); ++s) {
-    const Segment& segment = domain.segments[s];
-    if (divide[s])
-      division.values.push_back(
-          domain.frame.snap(midpoint(domain.points[segment.a], domain.points[segment.b])));
-    division.end_row();
+    cure = segments_to_even(parts.segments, parts.count(), pieces, lengths);
+    if (!cure.empty() && !options.allow_added_point)
+      return odd_part(domain, parts, boundary_counts(parts.segments, parts.count(), pieces),
+                      cure[0]);
   }
   const std::vector<char> used(domain.points.size(), 1);
-  BoundaryMesh mesh = assemble(domain, domain.segments, used, division);
-  mesh.added_points = added;
+  BoundaryMesh mesh = assemble(domain, domain.segments, used, halve(domain, cure));
+  mesh.added_points = static_cast<Index>(cure.size());
   return mesh;
 }
 

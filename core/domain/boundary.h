@@ -14,8 +14,8 @@ struct BoundaryOptions {
   double size = 0;                 // unit frame; edges longer than this are divided (refined mode)
   double growth = 0.3;             // slope limit of the spacing along and across the boundary, > 0
   double simplify_tolerance = 0;   // unit frame; 0 keeps every given vertex (refined mode)
-  bool require_even = true;        // every region's boundary count must be even (all quads)
-  bool allow_added_point = false;  // kept mode: cure an odd region with one midpoint
+  bool require_even = true;        // every part's boundary count must be even (all quads)
+  bool allow_added_point = false;  // kept mode: cure an odd part with one midpoint
   Index max_nodes = 5'000'000;     // refined mode refuses more before allocating them
 };
 
@@ -32,8 +32,8 @@ struct BoundaryMesh {
 };
 
 /// Kept mode returns the domain's points as they are; refined mode divides long edges evenly with
-/// graded spacing and an even count for every region. Errors: odd_boundary, bad_size,
-/// too_many_elements.
+/// graded spacing and an even count for every part of a region between polylines. Errors:
+/// odd_boundary, bad_size, too_many_elements.
 Result<BoundaryMesh> sample_boundary(const Domain& domain, const BoundaryOptions& options = {});
 
 }  // namespace lpq

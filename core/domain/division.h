@@ -12,7 +12,8 @@ namespace lpq {
 /// Row s: the points that divide segment s, from its a to its b, unit frame, snapped.
 using Division = Csr<Vec2>;
 
-/// Number of boundary pieces of every region; pieces with the region on both sides do not count.
+/// Number of boundary pieces of every region (or part, where the segments' sides are parts,
+/// parts.h); pieces with the region on both sides do not count.
 std::vector<Index> boundary_counts(std::span<const Segment> segments, Index region_count,
                                    std::span<const Index> pieces);
 

@@ -9,6 +9,7 @@
 
 #include "domain/conflicts.h"
 #include "domain/division.h"
+#include "domain/parts.h"
 #include "domain/simplify.h"
 #include "domain/spacing.h"
 
@@ -169,7 +170,6 @@ bool Refinement::place(Index segment, Index pieces, const BoundarySpacing& spaci
 
 Result<BoundaryMesh> Refinement::divide(const BoundarySpacing& spacing, bool& again) {
   const Index count = static_cast<Index>(segments_.size());
-  const Index region_count = static_cast<Index>(domain_.regions.size());
   std::vector<Index> pieces(count, 1);
   std::vector<double> preference(count, -1.0);
   for (Index i = 0; i < count; ++i) {
@@ -178,7 +178,8 @@ Result<BoundaryMesh> Refinement::divide(const BoundarySpacing& spacing, bool& ag
     preference[i] = ideal_[i] / (pieces[i] + 1);
   }
   if (options_.require_even) {
-    for (const Index i : segments_to_even(segments_, region_count, pieces, preference)) {
+    const Parts parts = find_parts(domain_.points, segments_);
+    for (const Index i : segments_to_even(parts.segments, parts.count(), pieces, preference)) {
       if (whole_[i])
         return Error{ErrorCode::lost_precision,
                      "No boundary edge of region " + std::to_string(segments_[i].left) +

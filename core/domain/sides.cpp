@@ -5,11 +5,12 @@
 #include "domain/sides.h"
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 
 #include "base/csr.h"
+#include "base/disjoint_sets.h"
 #include "domain/box_tree.h"
+#include "domain/directions.h"
 #include "domain/outline.h"
 #include "geometry/predicates.h"
 #include "geometry/segment.h"
@@ -20,23 +21,6 @@ namespace {
 using Problem = std::optional<Error>;
 
 constexpr Index unknown = -2;
-
-class Components {
- public:
-  explicit Components(Index n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  Index find(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(Index i, Index j) {
-    i = find(i);
-    j = find(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 bool is_polyline(const Segment& segment) { return segment.region == none; }
 
@@ -70,7 +54,7 @@ class SideSettler {
   Domain& domain_;
   BoxTree tree_;
   Csr<Spoke> fans_;
-  Components component_;
+  DisjointSets component_;
   std::vector<Index> smallest_;         // #P  of the component with this root
   std::vector<Index> polyline_region_;  // #P  of the polylines joined away from loops, by root
 };
@@ -120,14 +104,10 @@ void SideSettler::build_fans() {
 }
 
 void SideSettler::sort_fan(Index vertex, std::span<Spoke> fan) const {
-  const Vec2 o = at(vertex);
-  const auto upper = [&](Vec2 p) { return p.y > o.y || (p.y == o.y && p.x > o.x); };
+  const Counterclockwise before{at(vertex)};
   // No two spokes have the same direction: they would overlap.
-  std::sort(fan.begin(), fan.end(), [&](const Spoke& s, const Spoke& t) {
-    const Vec2 p = at(s.far), q = at(t.far);
-    if (upper(p) != upper(q)) return upper(p);
-    return orient2d(o, p, q) > 0;
-  });
+  std::sort(fan.begin(), fan.end(),
+            [&](const Spoke& s, const Spoke& t) { return before(at(s.far), at(t.far)); });
 }
 
 Problem SideSettler::settle_fan(Index vertex) {
@@ -157,13 +137,13 @@ void SideSettler::give_polyline(Index segment, Index region) {
 /// The region around a vertex as told by the segments of other components.
 Index SideSettler::region_at(Index vertex, Problem& problem) {
   const Vec2 q = at(vertex);
-  const Index own = component_.find(vertex);
+  const Index own = component_.root(vertex);
   std::vector<Index> sides;
   tree_.walk(
       [q](Index, const Box& box) { return box.lo.x <= q.x && box.lo.y <= q.y && q.y <= box.hi.y; },
       [&](Index i) {
         const Segment& s = domain_.segments[i];
-        if (is_polyline(s) || component_.find(s.a) == own) return;
+        if (is_polyline(s) || component_.root(s.a) == own) return;
         const Vec2 a = at(s.a), b = at(s.b);
         if ((a.y > q.y) == (b.y > q.y)) return;
         if ((b.y > a.y) != (orient2d(a, b, q) < 0)) return;
@@ -185,7 +165,7 @@ Index SideSettler::region_at(Index vertex, Problem& problem) {
 // spokes lie in the half-plane to the right.
 Problem SideSettler::settle_components() {
   for (Index v = 0; v < static_cast<Index>(domain_.points.size()); ++v) {
-    if (smallest_[component_.find(v)] != v) continue;
+    if (smallest_[component_.root(v)] != v) continue;
     auto fan = fans_.row(v);
     const Spoke* last = nullptr;
     for (const Spoke& spoke : fan)
@@ -208,7 +188,7 @@ Problem SideSettler::settle_polylines() {
   for (const Segment& s : domain_.segments)
     if (!is_polyline(s)) on_loop[s.a] = on_loop[s.b] = 1;
   const Index count = static_cast<Index>(domain_.segments.size());
-  Components joined(count);
+  DisjointSets joined(count);
   std::vector<Index> at_vertex(n, none);
   for (Index i = 0; i < count; ++i) {
     const Segment& s = domain_.segments[i];
@@ -222,12 +202,12 @@ Problem SideSettler::settle_polylines() {
   std::vector<Index> region(count, unknown);
   for (Index i = 0; i < count; ++i) {
     const Segment& s = domain_.segments[i];
-    if (is_polyline(s) && (on_loop[s.a] || on_loop[s.b])) region[joined.find(i)] = s.left;
+    if (is_polyline(s) && (on_loop[s.a] || on_loop[s.b])) region[joined.root(i)] = s.left;
   }
   for (Index i = 0; i < count; ++i) {
     Segment& s = domain_.segments[i];
     if (!is_polyline(s)) continue;
-    Index& shared = region[joined.find(i)];
+    Index& shared = region[joined.root(i)];
     Problem problem;
     if (shared == unknown) shared = region_at(s.a, problem);
     if (problem) return problem;
@@ -281,7 +261,7 @@ Problem SideSettler::run() {
   const Index n = static_cast<Index>(domain_.points.size());
   smallest_.assign(n, none);
   for (Index v = 0; v < n; ++v) {
-    Index& smallest = smallest_[component_.find(v)];
+    Index& smallest = smallest_[component_.root(v)];
     if (smallest == none || at(v) < at(smallest)) smallest = v;
   }
   const bool plain = domain_.regions.size() == 1 && domain_.segments.back().region != none;

@@ -142,3 +142,34 @@ TEST_CASE("the error about an odd count names both ways out") {
   CHECK(refused.error().message.find("one-triangle") != std::string::npos);
   CHECK(refused.error().message.find("allowAddedPoint") != std::string::npos);
 }
+
+TEST_CASE("a region cut in two by a polyline is meshed on both sides, whatever the counts") {
+  DomainInput input = domain_of({sampled_polygon({{0, 0}, {2, 0}, {2, 1}, {0, 1}}, 0.125)});
+  for (const int pieces : {7, 8}) {  // with 7 both sides are odd
+    input.polylines = {{{}, "cut"}};
+    for (int k = 0; k <= pieces; ++k)
+      input.polylines[0].points.push_back({0.875 + 0.25 * k / pieces, 1.0 * k / pieces});
+    const auto kept = mesh_domain(input, {.keep_boundary = true});
+    CHECK(kept.has_value() == (pieces == 8));
+    if (!kept) CHECK(kept.error().code == ErrorCode::odd_boundary);
+
+    const auto mixed = mesh_domain(input, one_triangle);
+    REQUIRE(mixed);
+    CHECK(check_output(mixed->mesh).empty());
+    std::array<Index, 2> found{};
+    for (const Face& face : triangles_of(mixed->mesh)) {
+      const Vec2 centre = centre_of(mixed->mesh.points, face);
+      ++found[centre.x > 0.875 + 0.25 * centre.y ? 1 : 0];
+    }
+    CHECK(found == (pieces == 7 ? std::array<Index, 2>{1, 1} : std::array<Index, 2>{0, 0}));
+
+    for (const double size : {0.125, 0.1, 0.083, 0.07}) {
+      const auto refined = mesh_domain(input, {.size = size});
+      REQUIRE(refined);
+      CHECK(check_output(refined->mesh).empty());
+      CHECK(refined->report.quality.triangles == 0);
+      CHECK(refined->report.attempts == 1);
+      CHECK(refined->report.quality.eta_mean > 0.9);
+    }
+  }
+}

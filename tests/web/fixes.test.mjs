@@ -92,6 +92,19 @@ test('crossings of loops, regions and lines are mended too', () => {
   }
 });
 
+test('nodes come where parts between lines are odd, until all are even', () => {
+  const outline = [[0, 0], [1, 0], [2, 0], [4, 0], [4, 3], [2, 3], [0, 3]];
+  const cuts = [[[1, 0], [2, 3]], [[1, 0], [0, 3]], [[2, 0], [3, 1], [2, 3]]];
+  let now = project({ regions: [region(outline)], polylines: cuts.map((points) => ({ points, tag: '' })) }, { keepBoundary: true });
+  let rounds = 0;
+  for (; problemOf(now); ++rounds) {
+    assert.equal(problemOf(now).code, 'ODD_BOUNDARY');
+    assert.ok(rounds < 5);
+    now = { ...now, ...fixesFor(problemOf(now), now)[0].change(now) };
+  }
+  assert.ok(rounds > 0);
+});
+
 test('an odd boundary is shown where the node would come', () => {
   const of = faults.ODD_BOUNDARY, problem = problemOf(of);
   assert.deepEqual(placeOf(problem, of), [0.5, 0]);

@@ -177,9 +177,10 @@ const simpler = (drawing) => ({ ...drawing, regions: drawing.regions.map((region
   name: region.name, loops: region.loops.map((loop) => simplifiedLoop(loop, model.diagonalOf(drawing) / 3000)),
 })) });
 
-/** @param {Problem} problem  @param {Project} project */
-function splitLongest({ where: { region = 0 } }, { drawing }) {
-  const edge = model.longestEdge(drawing, region);
+/** Where the error says so, which it does where lines divide a region. @param {Problem} problem  @param {Project} project */
+function splitLongest(problem, { drawing }) {
+  const at = given(problem);
+  const edge = at ? model.edgeNear(drawing, at) : model.longestEdge(drawing, problem.where.region ?? 0);
   return edge ? model.addVertex(drawing, edge, model.middleOf(drawing, edge)) : drawing;
 }
 

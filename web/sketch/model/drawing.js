@@ -267,6 +267,14 @@ export function longestEdge(drawing, region) {
   return (free ?? edges[0])?.place ?? null;
 }
 
+/** The edge, of outlines and lines, whose middle is nearest. @param {Drawing} drawing  @param {Point} at  @returns {Place | null} */
+export function edgeNear(drawing, at) {
+  const edges = pathsOf(drawing).flatMap(({ region, loop, points }) =>
+    points.slice(region >= 0 ? 0 : 1).map((_, vertex) => ({ region, loop, vertex })));
+  const away = (/** @type {Place} */ edge) => distance(middleOf(drawing, edge), at);
+  return edges.sort((a, b) => away(a) - away(b))[0] ?? null;
+}
+
 /** @param {Drawing} drawing  @param {Place} place  an edge  @returns {Point} */
 export function middleOf(drawing, place) {
   const path = pathOf(drawing, place);
