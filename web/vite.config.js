@@ -2,6 +2,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { offline } from './offline/plugin.js';
+import { assetName, occtNotice } from './space/cad/notice.js';
 
 const here = (/** @type {string} */ path) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -13,8 +14,9 @@ export default defineConfig({
     // The package as its users get it.
     alias: [{ find: /^lpquad\/worker$/, replacement: here('../dist/worker.js') }, { find: /^lpquad\/(.*)$/, replacement: here('../dist/$1') }],
   },
-  plugins: [offline()],
-  worker: { format: 'es' },
+  plugins: [occtNotice(), offline()],
+  // lpquad/cad looks for the package where none is handed in; the page hands in its own.
+  worker: { format: 'es', rollupOptions: { external: ['occt-import-js'] } },
   build: { outDir: here('../build/web'), emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0, modulePreload: false,
-    rollupOptions: { input: { plane: here('index.html'), space: here('space.html') } } },
+    rollupOptions: { input: { plane: here('index.html'), space: here('space.html') }, output: { assetFileNames: assetName } } },
 });

@@ -3,7 +3,7 @@
 import { createEngine } from '../run/engine.js';
 import { handOver } from './hand_over.js';
 
-const always = /\.(stl|off|ply)$/i, perhaps = /\.(obj|msh)$/i, mostBytes = 2 ** 28;
+const always = /\.(stl|off|ply|step|stp|iges|igs|brep|brp)$/i, perhaps = /\.(obj|msh)$/i, mostBytes = 2 ** 28;
 
 /** @param {File} file */
 async function isSurface(file) {

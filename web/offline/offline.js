@@ -1,7 +1,7 @@
 // Makes the built page work without a network. Not while developing: there the files change.
-/** @import { App } from '../app' */
 
-/** After the first mesh: until then the network and the processor have better things to do. @param {Pick<App, 'runner'>} app */
+/** After the first mesh: until then the network and the processor have better things to do.
+ * @param {{runner: {subscribe: (listener: (run: {phase: string}) => void) => () => void}}} app */
 export function installOffline({ runner }) {
   if (!import.meta.env.PROD || !('serviceWorker' in navigator)) return;
   const stop = runner.subscribe(({ phase }) => {

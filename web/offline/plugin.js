@@ -1,4 +1,4 @@
-// For the build: service_worker.js with the list of the page's files and the hash of all of them.
+// For the build: service_worker.js with the lists of the page's files and the hash of all of them.
 import { createHash } from 'node:crypto';
 import { readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { join, relative, sep } from 'node:path';
@@ -8,6 +8,9 @@ const filesIn = (folder) => readdirSync(folder).flatMap((name) => {
   const path = join(folder, name);
   return statSync(path).isDirectory() ? filesIn(path) : [path];
 });
+
+// Fetched with the first CAD file, and kept from then on.
+const isForLater = (/** @type {string} */ file) => file.startsWith('occt-import-js/');
 
 /** @returns {import('vite').Plugin} */
 export function offline() {
@@ -24,7 +27,8 @@ export function offline() {
       // './' is index.html; by its own name some servers redirect, and a redirect cannot be kept.
       const files = paths.map((path) => relative(folder, path).split(sep).join('/').replace(/^index\.html$/, './'));
       const version = hash.update(source).digest('hex').slice(0, 16);
-      writeFileSync(join(folder, 'service_worker.js'), `self.lpquad = ${JSON.stringify({ version, files })};\n${source}`);
+      const lists = { version, files: files.filter((file) => !isForLater(file)), later: files.filter(isForLater) };
+      writeFileSync(join(folder, 'service_worker.js'), `self.lpquad = ${JSON.stringify(lists)};\n${source}`);
     },
   };
 }

@@ -1,12 +1,12 @@
-// The page without a network. The build puts `lpquad = {version, files}` before this text: all files
-// of the page, and a hash of their contents. A cache belongs to one version and never changes; a new
+// The page without a network. The build puts `lpquad = {version, files, later}` before this text: the files
+// of the page, those that it fetches when it comes to need them, and a hash of their contents. A cache belongs to one version and never changes; a new
 // version is fetched beside the old one and takes over when no page of the old one is open.
 // Pages come from the network if there is one, so that a reload shows the newest; everything else has
 // the hash of its content in its name and comes from the cache.
 
 /** @typedef {{waitUntil: (done: Promise<unknown>) => void, respondWith: (answer: Promise<Response>) => void, request: Request}} WorkerEvent */
 const worker = /** @type {any} */ (self);
-const { version, files } = /** @type {{version: string, files: string[]}} */ (worker.lpquad);
+const { version, files, later } = /** @type {{version: string, files: string[], later: string[]}} */ (worker.lpquad);
 const cacheName = `lpquad-${version}`;
 const home = new URL('./', location.href).href;
 /** Paths of the pages; some servers leave the ending away. The others may be anybody's. */
@@ -28,6 +28,21 @@ async function fetchAll() {
   }));
 }
 
+/** What the older version had come to need. */
+async function takeLater() {
+  const cache = await caches.open(cacheName);
+  for (const file of later) {
+    const found = await fromElsewhere(file);
+    if (found) await cache.put(new URL(file, home).href, found);
+  }
+}
+
+/** What the page has come to need. @param {string[]} urls */
+async function keep(urls) {
+  const cache = await caches.open(cacheName), known = new Set(later.map((file) => new URL(file, home).href));
+  for (const url of urls) if (known.has(url) && !await cache.match(url)) await cache.add(url);
+}
+
 async function removeOld() {
   const names = await caches.keys();
   // Another page of the same server may have caches of its own, and a second playground as well.
@@ -47,8 +62,9 @@ async function answer(request) {
   return await cache.match(request, { ignoreSearch: true, ignoreVary: true }) ?? fetch(request);
 }
 
-worker.addEventListener('install', (/** @type {WorkerEvent} */ event) => event.waitUntil(fetchAll()));
+worker.addEventListener('install', (/** @type {WorkerEvent} */ event) => event.waitUntil(fetchAll().then(takeLater)));
 worker.addEventListener('activate', (/** @type {WorkerEvent} */ event) => event.waitUntil(removeOld()));
+worker.addEventListener('message', (/** @type {WorkerEvent & {data: {keep: string[]}}} */ event) => event.waitUntil(keep(event.data.keep)));
 worker.addEventListener('fetch', (/** @type {WorkerEvent} */ event) => {
   const { method, url, mode } = event.request;
   const own = url.startsWith(home) && method === 'GET';

@@ -1,4 +1,5 @@
-// One sentence above the stage about something that happened and is not an error of the drawing.
+// One sentence above the stage about something that happened and is not an error of the drawing; '' takes
+// it away.
 import { h } from './dom.js';
 import { icon } from './icons.js';
 
@@ -11,6 +12,6 @@ export function createNotices(stage) {
   stage.append(spoken);
   return (text) => {
     words.textContent = text;
-    bar.hidden = false;
+    bar.hidden = text === '';
   };
 }

@@ -2,6 +2,7 @@
 /** @import { SpaceApp } from './types' */
 import { createHelp } from '../header/help.js';
 import { Themes } from '../header/theme.js';
+import { installOffline } from '../offline/offline.js';
 import { Actions } from '../panels/actions.js';
 import { h, setText } from '../panels/dom.js';
 import { createNotices } from '../panels/notice.js';
@@ -68,6 +69,7 @@ installMeshTab(app);
 installLayersTab(app);
 installFiguresTab(app);
 installFilesTab(app);
+installOffline(app);
 element('header-actions').append(...['edit.undo', 'edit.redo', 'view.fit', 'page.theme', 'page.help'].map((id) => actions.button(id)));
 
 const progress = h('progress', { max: 1, 'aria-label': 'Progress' }), stageName = h('span', { className: 'stage-name' });

@@ -2,6 +2,7 @@
 /** @import { OptionInfo } from 'lpquad' */
 /** @import { Work } from '../types' */
 import { chosen } from '../../files/code/literals.js';
+import { isCadName } from './work.js';
 
 /** @param {Work} work */
 export const fileNameOf = ({ name }) => name.toLowerCase().replace(/\.[a-z0-9]+$/, '').replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'surface';
@@ -13,11 +14,12 @@ export const sourceOf = (work) => (work.preset === undefined ? work.name : `${fi
 export function toJavaScript(work, known) {
   const source = JSON.stringify(sourceOf(work));
   const options = chosenOf(work, known).map(([name, value]) => `${name}: ${JSON.stringify(value)}`);
+  const isCad = isCadName(work.name);
   return `import { readFileSync, writeFileSync } from 'node:fs';
 import { createLpquad } from 'lpquad';
-
+${isCad ? "import { readCad } from 'lpquad/cad';  // with the package occt-import-js\n" : ''}
 const lpquad = await createLpquad();
-const surface = await lpquad.readSurface(readFileSync(${source}), { name: ${source} });
+const surface = await ${isCad ? 'readCad' : 'lpquad.readSurface'}(readFileSync(${source}), { name: ${source} });
 const mesh = await lpquad.meshSurface(surface, { ${options.join(', ')} });
 console.log(mesh.report.hash);
 writeFileSync('${fileNameOf(work)}-quads.msh', lpquad.writeMesh(mesh, 'msh'));
@@ -31,7 +33,10 @@ export function toCommand(work, known) {
     return typeof value === 'boolean' ? `--${value ? '' : 'no-'}${flag}` : `--${flag} ${value}`;
   });
   const quoted = `'${sourceOf(work).replaceAll("'", "'\\''")}'`;
-  return ['lpquad mesh', quoted, '-o', `${fileNameOf(work)}-quads.msh`, ...flags].join(' ') + '\n';
+  // Two commands: the first one's triangles do not depend on the size of the quads, as on the page.
+  const triangles = `${fileNameOf(work)}.obj`;
+  const [before, input] = isCadName(work.name) ? [`npx lpquad convert ${quoted} -o ${triangles}\n`, triangles] : ['', quoted];
+  return before + ['lpquad mesh', input, '-o', `${fileNameOf(work)}-quads.msh`, ...flags].join(' ') + '\n';
 }
 
 /** @param {Work} work  @param {OptionInfo[]} known */

@@ -1,33 +1,52 @@
 // Opens surfaces: by the button, dropped anywhere, or handed over by the page for the plane.
 /** @import { SpaceApp } from '../types' */
+/** @import { Surface } from 'lpquad' */
 import { droppedFiles } from '../../files/dropped.js';
 import { handOver, handedFile } from '../../files/hand_over.js';
 import { h } from '../../panels/dom.js';
-import { workOf } from './work.js';
+import { keepCadReader, readCadFile } from '../cad/read.js';
+import { isCadName, workOf } from './work.js';
 
 const ofThePlane = /\.(json|geojson|svg|poly|dxf)$/i;
 const mostBytes = 256 * 2 ** 20, mostTriangles = 400_000;
 
+/** @param {SpaceApp} app  @param {File} file  @param {AbortSignal} signal  @returns {Promise<Surface>} */
+async function read({ runner, notify }, file, signal) {
+  if (isCadName(file.name)) {
+    const surface = await readCadFile(file, { progress: notify, signal });
+    keepCadReader().catch(() => {});
+    notify('');
+    return surface;
+  }
+  const engine = await runner.createEngine();  // of its own: a run under way is not held up
+  try {
+    return await engine.readSurface(new Uint8Array(await file.arrayBuffer()), { name: file.name });
+  } finally {
+    engine.terminate();
+  }
+}
+
 /** @param {SpaceApp} app */
 export function installOpening(app) {
   const { store, actions, announce, notify } = app;
+  let latest = new AbortController();
   /** @param {File[]} files */
   async function open([file]) {
     if (file === undefined) return;
     if (ofThePlane.test(file.name)) return handOver(file, './');
     if (file.size > mostBytes) return notify(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB; the page takes 256.`);
     announce(`Opening ${file.name}`);
-    const engine = await app.runner.createEngine();  // of its own: a run under way is not held up
+    latest.abort();  // of two files that are opened the second is wanted
+    const { signal } = latest = new AbortController();
     try {
-      const surface = await engine.readSurface(new Uint8Array(await file.arrayBuffer()), { name: file.name });
+      const surface = await read(app, file, signal);
+      if (signal.aborted) return;
       const count = surface.triangles.length / 3;
       if (count > mostTriangles) return notify(`${file.name} has ${count.toLocaleString('en')} triangles; the command line meshes it.`);
       store.change(`Open ${file.name}`, workOf(file.name, surface));
       announce(`${file.name} opened: ${count} triangles`);
     } catch (error) {
-      notify(`${file.name} could not be opened: ${/** @type {Error} */ (error).message}`);
-    } finally {
-      engine.terminate();
+      if (!signal.aborted) notify(`${file.name} could not be opened: ${/** @type {Error} */ (error).message}`);
     }
   }
   const input = h('input', { type: 'file', hidden: true, 'aria-label': 'Surface to open', onchange: () => {

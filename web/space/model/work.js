@@ -35,6 +35,9 @@ export function layersFor({ frame }) {
   return ['surface', 'features'];
 }
 
+/** Files that lpquad/cad reads. @param {string} name */
+export const isCadName = (name) => /\.(step|stp|iges|igs|brep|brp)$/i.test(name);
+
 /** @param {Surface} surface */
 export function areaOf({ points: p, triangles }) {
   let twice = 0;

@@ -1,6 +1,7 @@
 // The Surface tab: where a surface comes from, and what was found in it.
 /** @import { SpaceApp, SurfaceRun } from '../types' */
 import { h } from '../../panels/dom.js';
+import { licences, source } from '../cad/files.js';
 import { presetWork } from '../model/link.js';
 import { presets } from '../presets/presets.js';
 
@@ -15,8 +16,8 @@ export function installSurfaceTab(app) {
   const facts = h('dl', { className: 'numbers-list' });
   const repairs = h('ul', { className: 'warnings' });
   app.tabs.add('surface', 'Surface',
-    h('p', { className: 'quiet' }, 'Drop a file here: STL, OBJ, PLY, OFF or Gmsh triangles.'),
-    h('div', { className: 'buttons' }, actions.button('file.open', { labelled: true })),
+    h('p', { className: 'quiet' }, 'Drop a file here: STL, OBJ, PLY, OFF, Gmsh triangles, STEP, IGES or BREP.'),
+    h('div', { className: 'buttons' }, actions.button('file.open', { labelled: true })), aboutCad(),
     h('h2', null, 'To begin with'),
     h('ul', { className: 'space-presets' }, ...presets.map(({ id, title, about }) => {
       const button = actions.button(`preset.${id}`);
@@ -33,6 +34,12 @@ export function installSurfaceTab(app) {
   runner.subscribe(refresh);
   refresh();
 }
+
+/** Whose work reads CAD files: it is no part of lpquad. */
+const aboutCad = () => h('details', { className: 'quiet' }, h('summary', null, 'What reads STEP, IGES and BREP'),
+  h('p', null, 'The package ', h('a', { href: source }, 'occt-import-js'), ' (7.6 MB), with Open CASCADE Technology inside. It is fetched with the first '
+    + 'such file, runs on your machine, and has a licence of its own, LGPL-2.1: ',
+  ...Object.entries(licences).flatMap(([name, url], k) => [k ? ', ' : '', h('a', { href: url }, name)]), '.'));
 
 const count = (/** @type {number} */ value) => value.toLocaleString('en');
 
