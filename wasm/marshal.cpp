@@ -230,6 +230,8 @@ SurfaceSoup soup_from(const val& packed) {
   soup.group = indices_from(packed["groups"]);
   soup.group_names = strings_from(packed["groupNames"]);
   soup.sizes = doubles_from(packed["sizes"]);
+  soup.body = indices_from(packed["bodies"]);
+  soup.body_names = strings_from(packed["bodyNames"]);
   return soup;
 }
 

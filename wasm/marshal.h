@@ -51,7 +51,8 @@ std::vector<DomainInput::SizeAt> sizes_from(const val& array);
 std::vector<DomainInput::Guide> guides_from(const val& packed);
 
 /// The packed form that js/surface.js makes: {points: Float64Array x, y, z, ..; triangles:
-/// Uint32Array; groups: Int32Array, empty = none; groupNames: string[]}
+/// Uint32Array; groups: Int32Array, empty = none; groupNames: string[];
+/// bodies: Int32Array, empty = one; bodyNames: string[]}
 SurfaceSoup soup_from(const val& packed);
 
 /// The arrays of MeshResult in js/index.d.ts, or those of SurfaceMesh for a mesh in space; `report`

@@ -49,6 +49,10 @@ val read_surface_bytes(const std::string& bytes, const std::string& format,
       result.set("groupNames", to_strings(soup->group_names));
     }
     if (!soup->sizes.empty()) result.set("sizes", to_array(soup->sizes));
+    if (!soup->body.empty()) {
+      result.set("bodies", to_array(soup->body));
+      result.set("bodyNames", to_strings(soup->body_names));
+    }
     result.set("warnings", errors_json(soup->warnings));
     return result;
   });

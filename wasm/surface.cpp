@@ -58,6 +58,11 @@ class JsSurfaceSession {
     js.set("groups", to_array(surface.group));
     js.set("groupNames", to_strings(mesher_.outcome().group_names));
     return js;
+    std::vector<Index> bodies;
+    if (!surface.body.empty())
+      for (const Tri& t : surface.triangles) bodies.push_back(surface.body[t[0]]);
+    js.set("bodies", to_array(bodies));
+    js.set("bodyNames", to_strings(mesher_.outcome().body_names));
   }
   val features() const {
     const FeatureLayer layer = feature_layer(mesher_);

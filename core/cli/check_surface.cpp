@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/disjoint_sets.h"
 #include "cli/surface_input.h"
 #include "io/report_parts.h"
 #include "io/surface/surface_format.h"
@@ -38,12 +39,14 @@ std::string topology_text(const char* name, const ShellTopology& topology) {
 
 class Judge {
  public:
-  explicit Judge(const OutputMesh& mesh) : shell_(as_shell(mesh)) {}
+  Judge(const OutputMesh& mesh, bool has_bodies) : shell_(as_shell(mesh)) {
+    if (has_bodies) tell_parts();
+  }
 
   void alone() {
     topology_ = shell_topology(shell_.faces);
     verdict_.text = quality_text(shell_quality(shell_)) + topology_text("mesh", topology_);
-    for (const Violation& violation : validate_faces(shell_.points, shell_.faces))
+    for (const Violation& violation : validate_faces(shell_.points, shell_.faces, most, parts_))
       add(violation.what, shell_.points[violation.vertex]);
   }
 
@@ -75,6 +78,17 @@ class Judge {
   ShellVerdict take() { return std::move(verdict_); }
 
  private:
+  static constexpr std::size_t most = 10;
+
+  /// What hangs together: bodies of the surface may touch, and their meshes then as well.
+  void tell_parts() {
+    DisjointSets sets(static_cast<Index>(shell_.points.size()));
+    for (const Face& face : shell_.faces)
+      for (int k = 1; k < corner_count(face); ++k) sets.unite(face[0], face[k]);
+    for (Index v = 0; v < static_cast<Index>(shell_.points.size()); ++v)
+      parts_.push_back(sets.root(v));
+  }
+
   void add(const std::string& what) { verdict_.violations += "  " + what + "\n"; }
   void add(const std::string& what, Vec3 at) {
     verdict_.violations += "  " + what + " (at " + short_number(at.x) + " " + short_number(at.y) +
@@ -96,6 +110,7 @@ class Judge {
   }
 
   ShellMesh shell_;
+  std::vector<Index> parts_;  // #V  empty: vertices in one place are one too many
   ShellTopology topology_;
   ShellVerdict verdict_;
 };
@@ -103,7 +118,7 @@ class Judge {
 }  // namespace
 
 ShellVerdict judge_shell(const OutputMesh& mesh, const SurfaceMesh* surface) {
-  Judge judge(mesh);
+  Judge judge(mesh, surface != nullptr && !surface->body.empty());
   judge.alone();
   if (surface != nullptr) {
     judge.against(*surface);

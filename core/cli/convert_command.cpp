@@ -33,14 +33,15 @@ std::optional<Error> misuse(const ConvertArgs& args) {
 std::string summary(const RepairedSurface& surface, const std::vector<Warning>& warnings,
                     const std::string& output) {
   std::string text;
-  append_row(text, "surface",
-             Facts()
-                 .count("triangles", surface.mesh.triangle_count())
-                 .count("vertices", surface.mesh.vertex_count())
-                 .count("groups", static_cast<std::int64_t>(surface.group_names.size()))
-                 .count("parts", surface.report.components)
-                 .count("border edges", surface.report.border_edges)
-                 .text());
+  Facts facts;
+  facts.count("triangles", surface.mesh.triangle_count())
+      .count("vertices", surface.mesh.vertex_count())
+      .count("groups", static_cast<std::int64_t>(surface.group_names.size()))
+      .count("parts", surface.report.components)
+      .count("border edges", surface.report.border_edges);
+  if (!surface.body_names.empty())
+    facts.count("bodies", static_cast<std::int64_t>(surface.body_names.size()));
+  append_row(text, "surface", facts.text());
   for (const Warning& warning : warnings) append_row(text, "warning", error_text(warning));
   append_row(text, "wrote", output);
   return text;
@@ -55,8 +56,8 @@ Result<std::string> convert(const std::string& input, const std::string& bytes,
   const auto surface = repair_surface(std::move(*soup), {.weld = files.weld});
   if (!surface) return surface.error();
   for (Warning& warning : repair_warnings(surface->report)) warnings.push_back(std::move(warning));
-  const auto written =
-      write_file(files.output, write_surface_obj(surface->mesh, surface->group_names));
+  const auto written = write_file(
+      files.output, write_surface_obj(surface->mesh, surface->group_names, surface->body_names));
   if (!written) return written.error();
   return summary(*surface, warnings, files.output);
 }

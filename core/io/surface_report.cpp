@@ -38,6 +38,22 @@ void append_distance(JsonWriter& json, const SurfaceDistance& distance) {
   json.end_object();
 }
 
+void append_bodies(JsonWriter& json, const std::vector<BodyReport>& bodies) {
+  json.key("bodies");
+  json.begin_array();
+  for (const BodyReport& body : bodies) {
+    json.begin_object();
+    json.member("name", body.name);
+    json.member("vertices", body.vertices);
+    json.member("quads", body.quads);
+    json.member("triangles", body.triangles);
+    json.member("parts", body.parts);
+    json.member("borderEdges", body.border_edges);
+    json.end_object();
+  }
+  json.end_array();
+}
+
 void append_repairs(JsonWriter& json, const RepairReport& repair) {
   json.key("repairs");
   json.begin_object();
@@ -87,6 +103,8 @@ std::string write_surface_report_json(const ShellOutcome& outcome, const Surface
   json.new_line();
   append_repairs(json, report.repair);
   json.new_line();
+  append_bodies(json, report.bodies);
+  json.new_line();
   append_options(json, options);
   json.new_line();
   if (format.times) append_times(json, report.times);
@@ -105,13 +123,14 @@ std::string surface_report_text(const ShellOutcome& outcome) {
                  .count("", static_cast<std::int64_t>(outcome.mesh.points.size()))
                  .count("singularities", static_cast<std::int64_t>(report.singularities.size()))
                  .text());
-  append_row(out, "surface",
-             Facts()
-                 .count("triangles", outcome.surface.triangle_count())
-                 .count("faces", report.faces)
-                 .count("curves", report.curves)
-                 .count("charts", report.charts)
-                 .text());
+  Facts facts;
+  facts.count("triangles", outcome.surface.triangle_count())
+      .count("faces", report.faces)
+      .count("curves", report.curves)
+      .count("charts", report.charts);
+  if (!report.bodies.empty())
+    facts.count("bodies", static_cast<std::int64_t>(report.bodies.size()));
+  append_row(out, "surface", facts.text());
   return out + end_text(report.times, report.warnings);
 }
 

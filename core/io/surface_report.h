@@ -8,8 +8,8 @@
 
 namespace lpq {
 
-/// One object: counts, quality, sizes, distances, repairs, options, times and warnings. Members
-/// that are in the report of a domain have the same names here.
+/// One object: counts, quality, sizes, distances, repairs, bodies, options, times and warnings.
+/// Members that are in the report of a domain have the same names here.
 std::string write_surface_report_json(const ShellOutcome& outcome, const SurfaceOptions& options,
                                       const ReportFormat& format = {});
 

@@ -15,7 +15,9 @@ struct SurfaceMesh {
   std::vector<Tri> triangles;  // #T  counter-clockwise seen from outside
   std::vector<Index> twins;    // 3 #T  half-edge on the other side, none at a wall
   std::vector<Index> group;    // #T  group of the file (a face of the CAD model), 0 if it has none
+  std::vector<Index> body;     // #V  body of the file, touching others perhaps; empty: there is one
 
+  Index body_of(Index v) const { return body.empty() ? 0 : body[v]; }
   Index vertex_count() const { return static_cast<Index>(points.size()); }
   Index triangle_count() const { return static_cast<Index>(triangles.size()); }
   Index origin(Index e) const { return corners_of(triangles)[e]; }

@@ -106,6 +106,7 @@ class SurfaceMesher::Run {
   std::optional<Error> find_lines() {
     const StageTimer timer = timed("features");
     double& h = outcome_.report.target_size;
+    outcome_.body_names = std::move(repaired->body_names);
     double area = 0;
     for (const auto& [a, b, c] : surface().triangles)
       area += 0.5 * length(cross(surface().points[b] - surface().points[a],
@@ -186,9 +187,9 @@ class SurfaceMesher::Run {
 
   /// Another round where the mesh is too coarse, with this one kept: for as long as that helps.
   void refine_doubts() {
-    const auto doubts =
-        faults_at(check_places(outcome_.mesh.points, outcome_.mesh.faces,
-                               one_point * bounding_diagonal(surface().points), most_doubtful));
+    const auto doubts = faults_at(check_places(
+        outcome_.mesh.points, outcome_.mesh.faces, one_point * bounding_diagonal(surface().points),
+        most_doubtful, bodies_at(surface(), outcome_.mesh.places)));
     if (kept_ && doubts.size() >= kept_->doubts) {
       take_kept();
       return;

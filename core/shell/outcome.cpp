@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "base/hash.h"
+#include "shell/place.h"
 #include "shell/quality.h"
+#include "shell/topology.h"
 #include "surface/curves.h"
 
 namespace lpq {
@@ -28,6 +30,27 @@ std::vector<Index> groups_of_faces(const SurfaceFeatures& features, const Surfac
     if (group != surface.group[t]) group = none;
   }
   return groups;
+}
+
+std::vector<BodyReport> reports_of_bodies(const ShellOutcome& outcome) {
+  const ShellMesh& mesh = outcome.mesh;
+  std::vector<BodyReport> reports;
+  for (const std::string& name : outcome.body_names) reports.emplace_back().name = name;
+  if (reports.empty()) return reports;
+  const std::vector<Index> body = bodies_at(outcome.surface, mesh.places);
+  std::vector<std::vector<Face>> faces(reports.size());
+  for (const Index b : body) ++reports[b].vertices;
+  for (const Face& face : mesh.faces) {
+    const Index b = body[face[0]];
+    ++(face[3] == none ? reports[b].triangles : reports[b].quads);
+    faces[b].push_back(face);
+  }
+  for (std::size_t b = 0; b < reports.size(); ++b) {
+    const ShellTopology topology = shell_topology(faces[b]);
+    reports[b].parts = topology.components;
+    reports[b].border_edges = topology.border_edges;
+  }
+  return reports;
 }
 
 std::uint64_t hash_of(const ShellMesh& mesh) {
@@ -60,6 +83,7 @@ void summarise(const SurfaceFeatures& features, const SurfaceCrossField& cross,
   report.quality = shell_quality(outcome.mesh);
   report.size = shell_size_fidelity(outcome.mesh, surface.triangles, size);
   report.distance = surface_distance(surface.points, surface.triangles, outcome.mesh);
+  report.bodies = reports_of_bodies(outcome);
   report.hash = hash_of(outcome.mesh);
   if (report.quality.nonconvex > 0)
     report.warnings.push_back(bent_quads(outcome.mesh, report.quality.nonconvex));

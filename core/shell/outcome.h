@@ -17,13 +17,22 @@
 
 namespace lpq {
 
+/// The mesh of one of the file's bodies.
+struct BodyReport {
+  std::string name;
+  Index vertices = 0, quads = 0, triangles = 0;
+  Index parts = 0;         // connected across edges
+  Index border_edges = 0;  // 0: closed
+};
+
 struct ShellReport {
   RepairReport repair;
   Index feature_edges = 0, corners = 0, curves = 0, faces = 0;
   Index charts = 0;
   ChartCounts chart_counts;
   std::vector<SurfaceSingularity> singularities;
-  Index rounds = 1;  // of sizes made smaller where a chart had no mesh
+  Index rounds = 1;                // of sizes made smaller where a chart had no mesh
+  std::vector<BodyReport> bodies;  // empty if the input does not tell them
   SeamStats seams;
   ShapeStats shape;
   QuadQuality quality;  // in space
@@ -39,14 +48,15 @@ struct ShellOutcome {
   SurfaceMesh surface;  // as repaired
   ShellMesh mesh;
   std::vector<std::string> group_names;  // of surface.group
+  std::vector<std::string> body_names;   // of surface.body
   Atlas atlas;                           // how the surface was cut and mapped
   std::vector<Index> face_group;         // group of each face of the surface; none: of several
   ShellReport report;
 };
 
-/// Fills in what is known once the mesh is there: counts of features and charts, groups of faces,
-/// quality, sizes, distances and hash; a warning when quads are not convex. `size`: #V, of the
-/// surface. Cost O(#T + #F log #F).
+/// Fills in what is known once the mesh is there: counts of features, charts and bodies, groups of
+/// faces, quality, sizes, distances and hash; a warning when quads are not convex. `size`: #V, of
+/// the surface. Cost O(#T + #F log #F).
 void summarise(const SurfaceFeatures& features, const SurfaceCrossField& cross,
                std::span<const double> size, ShellOutcome& outcome);
 

@@ -54,12 +54,21 @@ double size_at(std::span<const Tri> triangles, const SurfacePlace& place,
   return h;
 }
 
+std::vector<Index> bodies_at(const SurfaceMesh& mesh, std::span<const SurfacePlace> places) {
+  std::vector<Index> bodies;
+  if (mesh.body.empty()) return bodies;
+  for (const SurfacePlace& place : places)
+    bodies.push_back(mesh.body[mesh.triangles[place.triangle][0]]);
+  return bodies;
+}
+
 void part_vertices(const SurfaceMesh& mesh, ShellMesh& shell) {
   constexpr double one_point = 1e-9;
   constexpr double inward = 0.1;  // of the way to the triangle's centroid
   const double reach = one_point * bounding_diagonal(mesh.points);
   const std::vector<char> all(shell.points.size(), 1);
-  const std::vector<Index> first = weld_points(shell.points, all, reach);
+  const std::vector<Index> first =
+      weld_points(shell.points, all, reach, bodies_at(mesh, shell.places));
   const auto move = [&](Index v) {
     SurfacePlace& place = shell.places[v];
     for (double& weight : place.weight) weight += inward * (1.0 / 3 - weight);

@@ -20,8 +20,11 @@ Vec3 point_at(const SurfaceMesh& mesh, const SurfacePlace& place);
 double size_at(std::span<const Tri> triangles, const SurfacePlace& place,
                std::span<const double> size);
 
-/// Free vertices that lie on another vertex (nearer than 1e-9 of the diagonal) go a little way into
-/// their triangles, so that nobody takes the two for one. Cost O(#V log #V).
+/// #places  the body of each; empty if there is one.
+std::vector<Index> bodies_at(const SurfaceMesh& mesh, std::span<const SurfacePlace> places);
+
+/// Free vertices that lie on another one of their body (nearer than 1e-9 of the diagonal) go a
+/// little way into their triangles, so that nobody takes the two for one. Cost O(#V log #V).
 void part_vertices(const SurfaceMesh& mesh, ShellMesh& shell);
 
 }  // namespace lpq

@@ -77,12 +77,13 @@ class Counter {
 
 class FaceCheck {
  public:
-  FaceCheck(std::span<const Vec3> points, std::span<const Face> faces, std::size_t limit)
-      : points_(points), faces_(faces), limit_(limit) {}
+  FaceCheck(std::span<const Vec3> points, std::span<const Face> faces, std::size_t limit,
+            std::span<const Index> body)
+      : points_(points), faces_(faces), limit_(limit), body_(body) {}
 
   std::vector<Violation> run() {
     for (Index f = 0; f < static_cast<Index>(faces_.size()); ++f) check_corners(f);
-    for (Violation& wrong : check_places(points_, faces_, 0, limit_ - violations_.size()))
+    for (Violation& wrong : check_places(points_, faces_, 0, limit_ - violations_.size(), body_))
       violations_.push_back(std::move(wrong));
     return std::move(violations_);
   }
@@ -105,6 +106,7 @@ class FaceCheck {
   std::span<const Vec3> points_;
   std::span<const Face> faces_;
   std::size_t limit_;
+  std::span<const Index> body_;
   std::vector<Violation> violations_;
 };
 
@@ -123,7 +125,7 @@ std::vector<Face> faces_of(std::span<const Tri> triangles) {
 }
 
 std::vector<Violation> check_places(std::span<const Vec3> points, std::span<const Face> faces,
-                                    double reach, std::size_t limit) {
+                                    double reach, std::size_t limit, std::span<const Index> body) {
   std::vector<Violation> found;
   std::vector<char> used(points.size(), 0);
   std::vector<std::pair<Face, Index>> corners;
@@ -133,7 +135,7 @@ std::vector<Violation> check_places(std::span<const Vec3> points, std::span<cons
     std::sort(sorted.begin(), sorted.end());
     corners.push_back({sorted, f});
   }
-  const std::vector<Index> first = weld_points(points, used, reach);
+  const std::vector<Index> first = weld_points(points, used, reach, body);
   for (Index v = 0; v < static_cast<Index>(first.size()) && found.size() < limit; ++v)
     if (first[v] != v) found.push_back({"Two vertices lie in the same place.", none, v, {}});
   std::sort(corners.begin(), corners.end());
@@ -147,8 +149,8 @@ std::vector<Violation> check_places(std::span<const Vec3> points, std::span<cons
 }
 
 std::vector<Violation> validate_faces(std::span<const Vec3> points, std::span<const Face> faces,
-                                      std::size_t limit) {
-  return FaceCheck(points, faces, limit).run();
+                                      std::size_t limit, std::span<const Index> body) {
+  return FaceCheck(points, faces, limit, body).run();
 }
 
 }  // namespace lpq

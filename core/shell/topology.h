@@ -27,15 +27,16 @@ ShellTopology shell_topology(std::span<const Face> faces);
 std::vector<Face> faces_of(std::span<const Tri> triangles);
 
 /// Vertices in one point (within `reach`, see weld_points()), faces with the same vertices: sound
-/// in itself, but too coarse for what is there. At most `limit`, with a vertex each. Cost O(#F log
-/// #F).
+/// in itself, but too coarse for what is there. `body`: #V, or empty for one; different bodies may
+/// touch. At most `limit`, with a vertex each. Cost O(#F log #F).
 std::vector<Violation> check_places(std::span<const Vec3> points, std::span<const Face> faces,
-                                    double reach, std::size_t limit = 10);
+                                    double reach, std::size_t limit = 10,
+                                    std::span<const Index> body = {});
 
 /// Faces with a vertex twice, quads that are not convex, and what check_places() finds at reach 0.
-/// At most `limit` are listed; their `vertex` says where.
+/// At most `limit` are listed; their `vertex` says where. `body`: as there.
 std::vector<Violation> validate_faces(std::span<const Vec3> points, std::span<const Face> faces,
-                                      std::size_t limit = 10);
+                                      std::size_t limit = 10, std::span<const Index> body = {});
 
 /// Does the quad have a corner that turns against the quad's own normal?
 bool has_reflex_corner(Vec3 a, Vec3 b, Vec3 c, Vec3 d);

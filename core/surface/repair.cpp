@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "surface/flat.h"
 #include "surface/orient.h"
@@ -30,6 +32,7 @@ class Repair {
 
   Result<RepairedSurface> run() {
     if (auto checked = check_input(); !checked) return checked.error();
+    part_bodies();
     weld();
     drop_collapsed();
     drop_duplicates();
@@ -95,9 +98,31 @@ class Repair {
     return 0;
   }
 
+  /// Triangles of different bodies get points of their own, so that nothing joins them.
+  void part_bodies() {
+    if (soup_.body.empty()) return;
+    body_.assign(soup_.points.size(), none);
+    std::map<std::pair<Index, Index>, Index> copies;
+    for (std::size_t t = 0; t < soup_.triangles.size(); ++t)
+      for (Index& v : soup_.triangles[t]) {
+        const Index body = soup_.body[t];
+        if (body_[v] == none) body_[v] = body;
+        if (body_[v] == body) continue;
+        const auto next = static_cast<Index>(soup_.points.size());
+        const auto [at, is_new] = copies.try_emplace({v, body}, next);
+        if (is_new) {
+          soup_.points.push_back(Vec3{soup_.points[v]});
+          if (!soup_.sizes.empty()) soup_.sizes.push_back(double{soup_.sizes[v]});
+          used_.push_back(1);
+          body_.push_back(body);
+        }
+        v = at->second;
+      }
+  }
+
   void weld() {
     const double weld = options_.weld < least_weld ? 0 : options_.weld;
-    first_ = weld_points(soup_.points, used_, weld * diagonal_);
+    first_ = weld_points(soup_.points, used_, weld * diagonal_, body_);
     for (std::size_t v = 0; v < first_.size(); ++v)
       report_.welded_points += first_[v] != static_cast<Index>(v);
     for (Tri& t : soup_.triangles)
@@ -169,6 +194,7 @@ class Repair {
     result.mesh.triangles = std::move(soup_.triangles);
     result.mesh.group = std::move(soup_.group);
     result.group_names = std::move(soup_.group_names);
+    result.body_names = std::move(soup_.body_names);
     const Orientation found = orient_surface(result.mesh);
     report_.turned_triangles = found.turned;
     report_.components = found.components;
@@ -177,7 +203,6 @@ class Repair {
     report_.conflict_edges = found.conflicts;
     report_.nonmanifold_vertices = found.pinched_vertices;
     result.report = report_;
-    carry_sizes(result);
     return result;
   }
 
@@ -201,16 +226,20 @@ class Repair {
       if (number[v] == none) continue;
       number[v] = result.mesh.vertex_count();
       result.mesh.points.push_back(soup_.points[v]);
+      if (!body_.empty()) result.mesh.body.push_back(body_[v]);
     }
     for (Tri& t : soup_.triangles)
       for (Index& v : t) v = number[v];
     for (std::size_t v = 0; v < number.size(); ++v) number[v] = number[first_[v]];
+    carry_sizes(result);
+    number.resize(static_cast<std::size_t>(report_.points_given));
   }
 
   SurfaceSoup soup_;
   RepairOptions options_;
   std::vector<char> used_;    // #points
   std::vector<Index> first_;  // #points  what each is welded to
+  std::vector<Index> body_;   // #points  empty: there is one
   double diagonal_ = 0;
   RepairReport report_;
 };

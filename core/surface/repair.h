@@ -39,10 +39,12 @@ struct RepairedSurface {
   std::vector<double> sizes;             // #V or empty: the least of the points that became one
   std::vector<Index> vertex_of_point;    // #points of the soup; none where no triangle has it
   std::vector<std::string> group_names;  // of mesh.group
+  std::vector<std::string> body_names;   // of mesh.body
   RepairReport report;
 };
 
-/// Welds, drops and divides triangles, orients, and cuts where the surface is not manifold.
+/// Welds within bodies, drops and divides triangles, orients, and cuts where the surface is not
+/// manifold. A point that triangles of several bodies have becomes several; those come last.
 /// Errors: parse_error for a corner that is not there; empty; non_finite; too_large beyond 1e100
 /// (squares must not overflow); zero_area if nothing has height; bad_size. Cost O(#T log #T).
 Result<RepairedSurface> repair_surface(SurfaceSoup soup, const RepairOptions& options = {});

@@ -16,7 +16,9 @@ struct SurfaceSoup {
   std::vector<Index> group;              // #T  into group_names; empty = all in group 0
   std::vector<std::string> group_names;  // "" = unnamed; at least one where there is a triangle
   std::vector<double> sizes;             // #points, target length there, 0 = none; empty = none
-  std::vector<Warning> warnings;         // what the file holds and the reader left out
+  std::vector<Index> body;  // #T  into body_names; empty = all one. Nothing joins bodies
+  std::vector<std::string> body_names;  // "" = unnamed
+  std::vector<Warning> warnings;        // what the file holds and the reader left out
 };
 
 }  // namespace lpq

@@ -19,13 +19,17 @@ std::vector<Index> used_points(std::span<const char> used) {
   return list;
 }
 
-void unite_equal(std::span<const Vec3> points, std::vector<Index> list, DisjointSets& sets) {
-  std::sort(list.begin(), list.end(), [points](Index i, Index j) {
+template <class Body>
+void unite_equal(std::span<const Vec3> points, std::vector<Index> list, const Body& body,
+                 DisjointSets& sets) {
+  std::sort(list.begin(), list.end(), [&](Index i, Index j) {
     const Vec3 a = points[i], b = points[j];
-    return std::tie(a.x, a.y, a.z, i) < std::tie(b.x, b.y, b.z, j);
+    const Index of_a = body(i), of_b = body(j);
+    return std::tie(a.x, a.y, a.z, of_a, i) < std::tie(b.x, b.y, b.z, of_b, j);
   });
   for (std::size_t k = 1; k < list.size(); ++k)
-    if (points[list[k - 1]] == points[list[k]]) sets.unite(list[k - 1], list[k]);
+    if (points[list[k - 1]] == points[list[k]] && body(list[k - 1]) == body(list[k]))
+      sets.unite(list[k - 1], list[k]);
 }
 
 /// Points in cells as wide as the distance: partners lie in the same cell or in one of 26 around
@@ -79,15 +83,17 @@ class Cells {
 }  // namespace
 
 std::vector<Index> weld_points(std::span<const Vec3> points, std::span<const char> used,
-                               double distance) {
+                               double distance, std::span<const Index> body) {
   DisjointSets sets(static_cast<Index>(points.size()));
-  unite_equal(points, used_points(used), sets);
+  const auto body_of = [body](Index v) { return body.empty() ? 0 : body[v]; };
+  unite_equal(points, used_points(used), body_of, sets);
   if (distance > 0) {
     // Equal points are one already, so that a cell does not hold many of them.
     std::vector<Index> list = used_points(used);
     std::erase_if(list, [&](Index v) { return sets.root(v) != v; });
     Cells(points, list, distance).for_each_pair([&](Index i, Index j) {
-      if (squared_length(points[i] - points[j]) <= distance * distance) sets.unite(i, j);
+      if (body_of(i) == body_of(j) && squared_length(points[i] - points[j]) <= distance * distance)
+        sets.unite(i, j);
     });
   }
   std::vector<Index> first(points.size());

@@ -12,8 +12,9 @@ namespace lpq {
 /// For each point the first point that it is welded to (itself if none is before it). Points within
 /// `distance` are one, and so are chains of such points; 0 welds equal points only; else it must
 /// be 1e-15 of the extent or more, so that the points' cells can be counted. Points that are
-/// not `used` stay alone and may be anything; the others must be finite. Cost O(#V log #V).
+/// not `used` stay alone and may be anything; the others must be finite. `body`: #V, or empty for
+/// one; points of different bodies are never one. Cost O(#V log #V).
 std::vector<Index> weld_points(std::span<const Vec3> points, std::span<const char> used,
-                               double distance);
+                               double distance, std::span<const Index> body = {});
 
 }  // namespace lpq

@@ -86,6 +86,41 @@ TEST_CASE("references that do not fit are refused in words") {
   CHECK(run({"check", folder.write("x.msh", "$MeshFormat\n"), "--surface", cube}).code == 3);
 }
 
+TEST_CASE("bodies that touch are meshed apart, and check out against their surface") {
+  const ScratchFolder folder("bodies");
+  std::string text;
+  for (const double shift : {0.0, 1.0})
+    for (int i = 0; i < 8; ++i)
+      text += "v " + std::to_string((i & 1) + shift) + ' ' + std::to_string(i >> 1 & 1) + ' ' +
+              std::to_string(i >> 2) + '\n';
+  for (const int first : {1, 9}) {
+    text += first == 1 ? "o left\n" : "o right\n";
+    for (const auto& side : {"0 2 3 1", "4 5 7 6", "0 1 5 4", "2 6 7 3", "0 4 6 2", "1 3 7 5"}) {
+      text += 'f';
+      for (int k = 0; k < 4; ++k) text += ' ' + std::to_string(first + side[2 * k] - '0');
+      text += '\n';
+    }
+  }
+  const std::string boxes = folder.write("boxes.obj", text), mesh = folder / "mesh.obj";
+  const auto made =
+      run({"mesh", boxes, "-o", mesh, "--size", "0.25", "--report", folder / "r.json"});
+  INFO(made.err);
+  REQUIRE(made.code == 0);
+  CHECK(contains(made.out, "bodies 2"));
+  CHECK(contains(
+      file_text(folder / "r.json"),
+      "\"bodies\":[{\"name\":\"left\",\"vertices\":98,\"quads\":96,\"triangles\":0,\"parts\":1,"
+      "\"borderEdges\":0},"));
+  const auto checked = run({"check", mesh, "--surface", boxes});
+  INFO(checked.out);
+  CHECK(checked.code == 0);
+  CHECK(contains(checked.out, "parts 2, borders 0, Euler number 4"));
+  // Without the surface nothing tells that the boxes are two.
+  const auto alone = run({"check", mesh});
+  CHECK(alone.code != 0);
+  CHECK(contains(alone.err, "Two vertices lie in the same place."));
+}
+
 TEST_CASE("surfaces are converted with their groups, repaired") {
   const ScratchFolder folder("convert");
   const std::string cube = folder.write("cube.obj", cube_obj(true));

@@ -9,6 +9,7 @@
 #include "io/surface/ply_surface.h"
 #include "io/surface/stl_surface.h"
 #include "io/surface/surface_format.h"
+#include "io/surface/surface_write.h"
 #include "support/output_meshes.h"
 #include "support/surface_checks.h"
 #include "support/surface_data.h"
@@ -51,6 +52,42 @@ TEST_CASE("OBJ: corners, groups, continued lines") {
   CHECK(odd.group == std::vector<Index>{0, 1, 1, 1});
   CHECK(odd.group_names == std::vector<std::string>{"", "part one/steel"});
   CHECK(odd.warnings.empty());
+}
+
+TEST_CASE("OBJ: objects are bodies where they are closed, and come back") {
+  const auto objects = [](const SurfaceSoup& soup) {
+    std::string text;
+    for (const Vec3 p : soup.points)
+      text +=
+          "v " + std::to_string(p.x) + ' ' + std::to_string(p.y) + ' ' + std::to_string(p.z) + '\n';
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+      if (t == 0 || soup.body[t] != soup.body[t - 1])
+        text += "o body " + std::to_string(soup.body[t]) + "\ng body " +
+                std::to_string(soup.body[t]) + " face\n";
+      text += 'f';
+      for (const Index v : soup.triangles[t]) text += ' ' + std::to_string(v + 1);
+      text += '\n';
+    }
+    return text;
+  };
+  SurfaceSoup boxes = touching_boxes(1);
+  const auto two = good(read_obj_surface(objects(boxes)));
+  CHECK(two.body == boxes.body);
+  CHECK(two.body_names == std::vector<std::string>{"body 0", "body 1"});
+  CHECK(two.group_names == std::vector<std::string>{"body 0 face", "body 1 face"});
+  const auto repaired = repair_surface(two);
+  REQUIRE(repaired.has_value());
+  const std::string text =
+      write_surface_obj(repaired->mesh, repaired->group_names, repaired->body_names);
+  const auto again = good(read_obj_surface(text));
+  CHECK(again.body == two.body);
+  CHECK(again.body_names == std::vector<std::string>{"body_0", "body_1"});
+  CHECK(again.group_names == std::vector<std::string>{"body_0_face", "body_1_face"});
+  boxes.triangles.pop_back();  // both open: sheets that may belong together
+  boxes.triangles.erase(boxes.triangles.begin());
+  boxes.body.pop_back();
+  boxes.body.erase(boxes.body.begin());
+  CHECK(good(read_obj_surface(objects(boxes))).body_names.size() == 1);
 }
 
 TEST_CASE("OBJ: a polygon with an inward corner keeps its area") {

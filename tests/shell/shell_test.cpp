@@ -153,6 +153,33 @@ TEST_CASE("parts of a surface that meet in a point keep that point") {
 }
 
 TEST_CASE("where a surface is thinner than the mesh size, the size gives way") {
+TEST_CASE("bodies that share a side get closed meshes, each as if it were alone") {
+  const SurfaceOptions options{.size = 0.2};
+  const ShellOutcome pair = meshed(touching_boxes(2), options);
+  const ShellOutcome alone = meshed(box_soup({1, 1, 1}, 2), options);
+  CHECK(pair.report.rounds == 1);
+  CHECK(pair.report.repair.components == 2);
+  const ShellTopology topology = shell_topology(pair.mesh.faces);
+  CHECK(topology.components == 2);
+  CHECK(topology.border_edges + topology.meeting_edges + topology.pinches == 0);
+  CHECK(topology.euler == 4);
+  REQUIRE(pair.report.bodies.size() == 2);
+  Index vertices = 0, quads = 0;
+  for (const BodyReport& body : pair.report.bodies) {
+    CHECK(body.parts == 1);
+    CHECK(body.border_edges == 0);
+    CHECK(body.triangles == 0);
+    CHECK(body.vertices == body.quads + 2);  // Euler, of a sphere
+    vertices += body.vertices;
+    quads += body.quads;
+  }
+  CHECK(vertices == static_cast<Index>(pair.mesh.points.size()));
+  CHECK(quads == pair.report.quality.quads);
+  CHECK(pair.report.bodies[0].quads == alone.report.quality.quads);
+  CHECK(pair.report.bodies[1].name == "body 2");
+  CHECK(alone.report.bodies.empty());
+}
+
   for (const double tube : {0.1, 0.03}) {
     const auto outcome = mesh_surface(soup_of(torus(96, 16, 1, tube)), {.size = 0.5});
     REQUIRE(outcome.has_value());

@@ -36,6 +36,31 @@ inline lpq::SurfaceSoup box_soup(lpq::Vec3 size, int n) {
   return soup;
 }
 
+/// All in one, each a body of its own.
+inline lpq::SurfaceSoup as_bodies(const std::vector<lpq::SurfaceSoup>& parts) {
+  lpq::SurfaceSoup all;
+  all.group_names = {""};
+  for (const lpq::SurfaceSoup& part : parts) {
+    const auto first = static_cast<lpq::Index>(all.points.size());
+    const auto body = static_cast<lpq::Index>(all.body_names.size());
+    all.points.insert(all.points.end(), part.points.begin(), part.points.end());
+    for (const auto& [a, b, c] : part.triangles) {
+      all.triangles.push_back({first + a, first + b, first + c});
+      all.group.push_back(0);
+      all.body.push_back(body);
+    }
+    all.body_names.push_back("body " + std::to_string(body + 1));
+  }
+  return all;
+}
+
+/// The boxes [0,1] x [0,1] x [0,1] and [1,3] x [0,1] x [0,1], which share a side.
+inline lpq::SurfaceSoup touching_boxes(int n) {
+  lpq::SurfaceSoup next = box_soup({2, 1, 1}, n);
+  for (lpq::Vec3& p : next.points) p.x += 1;
+  return as_bodies({box_soup({1, 1, 1}, n), next});
+}
+
 /// A strip of n squares around an axis, closed after `half_turns` half turns: 0 makes a ring, 1 a
 /// Moebius band. Orientation as the squares come.
 inline lpq::SurfaceSoup band_soup(int n, int half_turns) {

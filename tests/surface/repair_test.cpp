@@ -5,6 +5,7 @@
 #include "catch.h"
 #include "support/surface_checks.h"
 #include "support/surface_shapes.h"
+#include "surface/bodies.h"
 
 using namespace lpq;
 using namespace lpq_test;
@@ -99,6 +100,58 @@ TEST_CASE("cones that meet in a point are counted, and it stays one point") {
   CHECK(pair.report.nonmanifold_edges == 0);
   CHECK(pair.mesh.vertex_count() == 15);
   CHECK(pair.report.components == 2);
+}
+
+TEST_CASE("bodies that share a side stay two closed surfaces, however they are welded") {
+  SurfaceSoup soup = touching_boxes(3);
+  for (const double weld : {0.0, 1e-10, 1e-7}) {
+    const auto pair = repaired(soup, {.weld = weld});
+    CHECK(pair.report.components == 2);
+    CHECK(pair.report.border_edges + pair.report.nonmanifold_edges == 0);
+    CHECK(pair.report.duplicate_triangles == 0);
+    CHECK(pair.mesh.triangles.size() == soup.triangles.size());
+    CHECK(volume_of(pair.mesh) == Approx(3));
+    for (const Tri& t : pair.mesh.triangles)
+      for (const Index v : t) CHECK(pair.mesh.body[v] == pair.mesh.body[t[0]]);
+    CHECK(pair.body_names == std::vector<std::string>{"body 1", "body 2"});
+  }
+  soup.body.clear();
+  const auto one = repaired(soup);
+  CHECK(one.report.nonmanifold_edges + one.report.duplicate_triangles > 0);
+  CHECK(one.mesh.body.empty());
+}
+
+TEST_CASE("a point that two bodies have becomes two") {
+  SurfaceSoup soup = soup_of(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}},
+      {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 1, 2}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}});
+  soup.body = {0, 0, 0, 0, 1, 1, 1, 1};
+  soup.body_names = {"up", "down"};
+  const auto pair = repaired(soup);
+  CHECK(pair.report.components == 2);
+  CHECK(pair.report.border_edges + pair.report.nonmanifold_edges == 0);
+  CHECK(pair.report.duplicate_triangles == 0);
+  CHECK(pair.mesh.vertex_count() == 8);
+  CHECK(pair.vertex_of_point.size() == 5);
+  CHECK(volume_of(pair.mesh) == Approx(2.0 / 6));
+}
+
+TEST_CASE("loose sheets are one body, closed ones stay, and so do those with points of their own") {
+  SurfaceSoup box = box_soup({1, 1, 1}, 2), soup = as_bodies({box, box, box});
+  // The sides of the third are sheets: 8 triangles each.
+  for (std::size_t t = 2 * box.triangles.size(); t < soup.triangles.size(); ++t)
+    soup.body[t] = static_cast<Index>(2 + (t - 2 * box.triangles.size()) / 8);
+  soup.body_names = {"a", "b", "c", "d", "e", "f", "g", "h"};
+  join_loose_bodies(soup);
+  CHECK(soup.body_names == std::vector<std::string>{"a", "b", "c"});
+  const auto three = repaired(soup);
+  CHECK(three.report.components == 3);
+  CHECK(three.report.border_edges == 0);
+  soup = as_bodies({box, box});
+  soup.triangles.push_back({0, static_cast<Index>(box.points.size()), 1});
+  soup.body.push_back(0);
+  join_loose_bodies(soup);
+  CHECK(soup.body_names == std::vector<std::string>{"body 1"});
 }
 
 TEST_CASE("duplicates, repeated corners and points without triangles go") {

@@ -104,6 +104,24 @@ test('npx lpquad meshes a STEP file, its faces kept', needsOcct, () => {
   assert.match(checked.stdout, /parts 2, borders 0, Euler number 4/);
 });
 
+const touching = stepBoxes([{ name: 'left', at: [0, 0, 0], size: [1, 1, 1] }, { name: 'right', at: [1, 0, 0], size: [2, 1, 1] }]);
+test('bodies that touch stay apart: read, meshed, converted', needsOcct, async () => {
+  const surface = await readCad(touching, { name: 'x.step' });
+  assert.deepEqual(surface.bodyNames, ['left', 'right']);
+  assert.deepEqual([...surface.bodies], [...Array(12).fill(0), ...Array(12).fill(1)]);
+  const part = file('touching.step', touching), mesh = join(scratch, 'touching.obj'), report = join(scratch, 'touching.json');
+  const made = lpquad('mesh', part, '-o', mesh, '--size', '0.5', '--report', report);
+  assert.equal(made.status, 0, made.stderr);
+  assert.deepEqual(JSON.parse(readFileSync(report, 'utf8')).bodies.map(({ name, quads, parts, borderEdges }) => [name, quads, parts, borderEdges]),
+    [['left', 24, 1, 0], ['right', 40, 1, 0]]);
+  const checked = lpquad('check', mesh, '--surface', part);
+  assert.equal(checked.status, 0, checked.stdout + checked.stderr);
+  assert.match(checked.stdout, /parts 2, borders 0, Euler number 4/);
+  const triangles = join(scratch, 'touching triangles.obj');
+  assert.match(lpquad('convert', part, '-o', triangles).stdout, /parts 2, border edges 0, bodies 2/);
+  assert.equal(lpquad('check', mesh, '--surface', triangles).status, 0);
+});
+
 test('npx lpquad converts, so that the native program can read it', needsOcct, () => {
   const out = join(scratch, 'triangles.obj');
   const { status, stdout, stderr } = lpquad('convert', file('two.stp', boxes), '-o', out);
@@ -154,5 +172,7 @@ test('STEP, IGES and BREP files of many programs are meshed',
         const { status, stdout, stderr } = lpquad('mesh', join(data, name), '-o', mesh);
         assert.equal(status, 0, stderr);
         assert.match(stdout, /triangles 0\n/);
+        const bodies = { 'as1-tu-203.stp': 18, 'dm1-id-214.stp': 7 }[name];
+        if (bodies) assert.match(stdout, new RegExp(`bodies ${bodies}\\n`));
       });
   });

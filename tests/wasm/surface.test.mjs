@@ -200,6 +200,25 @@ test('progress names the stages in order, false ends the run, and exceptions com
 });
 
 /** Cells of one chart: pieces turn counter-clockwise, and as points in space they are as many. */
+test('bodies that share a side are meshed apart, and counted', async () => {
+  const points = Float64Array.from(box.points), next = points.map((x, i) => (i % 3 === 0 ? x + 1 : x));
+  const triangles = [...box.triangles, ...box.triangles.map((v) => v + 8)];
+  const boxes = { points: [...points, ...next], triangles, bodies: triangles.filter((_, i) => i % 3 === 0).map((v) => (v < 8 ? 0 : 1)),
+    bodyNames: ['left', 'right'] };
+  const { report, surface, quads } = await lpquad.meshSurface(boxes, options);
+  assert.deepEqual(report.bodies.map(({ name, parts, borderEdges, quads: n }) => [name, parts, borderEdges, n]),
+    [['left', 1, 0, 40], ['right', 1, 0, 40]]);
+  assert.equal(quads.length, 4 * 80);
+  assert.deepEqual([surface.bodyNames, surface.points.length], [['left', 'right'], 3 * 16]);
+  assert.equal(await hashOf(boxes), await hashOf(surface));  // what was repaired is taken again
+  assert.deepEqual((await lpquad.meshSurface(box, options)).report.bodies, []);
+  // One point for both is two in the mesh.
+  const welded = { ...boxes, triangles: triangles.map((v) => ({ 8: 1, 11: 2, 12: 5, 15: 6 })[v] ?? v) };
+  assert.deepEqual((await lpquad.meshSurface(welded, options)).report.bodies, report.bodies);
+  await rejectionOf('BAD_OPTION', lpquad.meshSurface({ ...boxes, bodies: [0] }, options));
+  await rejectionOf('BAD_OPTION', lpquad.meshSurface({ ...boxes, bodyNames: ['left'] }, options));
+});
+
 function checkCells({ chart, uv, points, offsets, sites, density }, { charts }) {
   assert.equal(offsets.length, sites.length + 1);
   assert.equal(uv.length, 2 * offsets.at(-1));

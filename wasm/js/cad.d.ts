@@ -28,7 +28,7 @@ export interface CadOptions {
 
 /** Triangles of all bodies, face by face; a Surface for meshSurface. */
 export interface CadSurface {
-  /** x, y, z per point. Points on edges are there once per face; meshing welds them. */
+  /** x, y, z per point. Points on edges are there once per face; meshing welds them within each body. */
   points: Float64Array;
   /** Three points per triangle. */
   triangles: Uint32Array;
@@ -36,6 +36,13 @@ export interface CadSurface {
   groups: Int32Array;
   /** "face 3", after the name of the body where it has one: "bolt 2 face 3". */
   groupNames: string[];
+  /**
+   * Body per triangle, an index into bodyNames: each is meshed by itself, where it touches others too. What is not closed
+   * is one body together, as sheets that may want to be joined.
+   */
+  bodies: Int32Array;
+  /** "bolt", "bolt 2", … */
+  bodyNames: string[];
   warnings: never[];
 }
 

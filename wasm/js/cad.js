@@ -92,6 +92,33 @@ function addBody(surface, body, mesh, at) {
   at.triangle += array.length / 3;
 }
 
+/** Whether every edge has two triangles, where equal points are one. */
+function isClosed({ index: { array }, attributes: { position: { array: p } } }) {
+  const numbers = new Map(), count = new Map();
+  const pointOf = (v) => {
+    const key = [p[3 * v], p[3 * v + 1], p[3 * v + 2]].join();
+    if (!numbers.has(key)) numbers.set(key, numbers.size);
+    return numbers.get(key);
+  };
+  for (let i = 0; i < array.length; ++i) {
+    const [a, b] = [pointOf(array[i]), pointOf(array[i % 3 === 2 ? i - 2 : i + 1])];
+    const edge = Math.min(a, b) * 2 ** 26 + Math.max(a, b);
+    if (a !== b) count.set(edge, (count.get(edge) ?? 0) + 1);
+  }
+  return [...count.values()].every((triangles) => triangles > 1);
+}
+
+/** Bodies that touch stay apart; loose sheets are one body, so that those that belong together are joined. */
+function numberBodies(surface, meshes, names) {
+  let next = 0, sheets = -1;
+  meshes.forEach((mesh, number) => {
+    const closed = isClosed(mesh), count = mesh.index.array.length / 3;
+    const body = !closed && sheets >= 0 ? sheets : surface.bodyNames.push(names[number]) - 1;
+    if (!closed) sheets = body;
+    surface.bodies.fill(body, next, next += count);
+  });
+}
+
 /** What readCad does, with an instance at hand. */
 export function readCadWith(occt, bytes, options = {}) {
   const format = options.format ?? formatOf(options.name ?? '');
@@ -104,11 +131,13 @@ export function readCadWith(occt, bytes, options = {}) {
   const triangles = sum((mesh) => mesh.index.array.length / 3);
   const surface = {
     points: new Float64Array(sum((mesh) => mesh.attributes.position.array.length)),
-    triangles: new Uint32Array(3 * triangles), groups: new Int32Array(triangles), groupNames: [], warnings: [],
+    triangles: new Uint32Array(3 * triangles), groups: new Int32Array(triangles), groupNames: [],
+    bodies: new Int32Array(triangles), bodyNames: [], warnings: [],
   };
   const at = { point: 0, triangle: 0 };
   const names = bodyNames(meshes);
   meshes.forEach((mesh, number) => addBody(surface, names[number], mesh, at));
+  numberBodies(surface, meshes, names);
   return surface;
 }
 
@@ -120,11 +149,13 @@ export async function readCad(source, options = {}) {
 }
 
 /** The surface as an OBJ file, every digit kept. */
-export function surfaceAsObj({ points, triangles, groups, groupNames }) {
+export function surfaceAsObj({ points, triangles, groups, groupNames, bodies, bodyNames }) {
+  const plain = (name) => name.replace(/[\s\\#]+/g, ' ');
   const lines = ['# lpquad'];
   for (let i = 0; i < points.length; i += 3) lines.push(`v ${points[i]} ${points[i + 1]} ${points[i + 2]}`);
   for (let t = 0; t < groups.length; ++t) {
-    if (t === 0 || groups[t] !== groups[t - 1]) lines.push(`g ${groupNames[groups[t]].replace(/[\s\\#]+/g, ' ')}`);
+    if (bodyNames.length > 1 && (t === 0 || bodies[t] !== bodies[t - 1])) lines.push(`o ${plain(bodyNames[bodies[t]])}`);
+    if (t === 0 || groups[t] !== groups[t - 1]) lines.push(`g ${plain(groupNames[groups[t]])}`);
     lines.push(`f ${triangles[3 * t] + 1} ${triangles[3 * t + 1] + 1} ${triangles[3 * t + 2] + 1}`);
   }
   return `${lines.join('\n')}\n`;

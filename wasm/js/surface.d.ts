@@ -15,6 +15,9 @@ export interface Surface {
   groupNames?: string[];
   /** Target edge length at each point, 0 for none, #V: a vertex property `size` of a PLY file. */
   sizes?: Float64Array;
+  /** Body of each triangle, index into `bodyNames`, #T; empty = all one. */
+  bodies?: Int32Array;
+  bodyNames?: string[];
   /** Of readSurface: what the file holds beside and was left out. */
   warnings?: ReportedError[];
 }
@@ -30,6 +33,12 @@ export interface SurfaceInput {
   groupNames?: ReadonlyArray<string>;
   /** Target edge length at each point, 0 for none; wins over the option `size` there. */
   sizes?: ArrayLike<number>;
+  /**
+   * Parts that may touch and are meshed each by itself: points of different bodies are never welded, nor is a point that
+   * both have one in the mesh.
+   */
+  bodies?: ArrayLike<number>;
+  bodyNames?: ReadonlyArray<string>;
   /** Comments, ignored. */
   name?: string;
   description?: string;
@@ -106,6 +115,8 @@ export interface SurfaceReport {
   options: Required<SurfaceOptions>;
   cpuSeconds: Record<string, number>;
   warnings: ReportedError[];
+  /** The mesh of each body; `[]` where the surface does not tell bodies. A closed one has no border edge. */
+  bodies: { name: string; vertices: number; quads: number; triangles: number; parts: number; borderEdges: number }[];
   [more: string]: unknown;
 }
 

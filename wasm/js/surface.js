@@ -43,17 +43,27 @@ function packTriangles(value, points) {
   return Uint32Array.from(flat);
 }
 
-function packGroups({ groups = [], groupNames }, triangles) {
-  checkList(groups, 'surface.groups', 'an array of numbers');
-  if (groups.length > 0 && groups.length !== triangles)
-    fail('surface.groups', `as long as there are triangles (${triangles})`, groups);
-  const most = groups.reduce((high, group) => Math.max(high, group), 0);
-  const names = groupNames ?? Array(Number.isInteger(most) ? Math.min(most, triangles) + 1 : 1).fill('');
-  checkList(names, 'surface.groupNames', 'an array of texts').forEach((name, i) => {
-    if (typeof name !== 'string') fail(`surface.groupNames[${i}]`, 'a text', name);
+/** A number for each triangle, or none at all, and the names that these count. */
+function packLabels(labels, labelNames, triangles, path, pathOfNames) {
+  checkList(labels, path, 'an array of numbers');
+  if (labels.length > 0 && labels.length !== triangles) fail(path, `as long as there are triangles (${triangles})`, labels);
+  const most = labels.reduce((high, label) => Math.max(high, label), labels.length > 0 ? 0 : -1);
+  const names = labelNames ?? Array(Number.isInteger(most) ? Math.min(most, triangles) + 1 : 1).fill('');
+  checkList(names, pathOfNames, 'an array of texts').forEach((name, i) => {
+    if (typeof name !== 'string') fail(`${pathOfNames}[${i}]`, 'a text', name);
   });
-  checkIndices(groups, names.length, (i) => `surface.groups[${i}]`, 'names');
-  return { groups: Int32Array.from(groups), groupNames: names.length > 0 ? [...names] : [''] };
+  checkIndices(labels, names.length, (i) => `${path}[${i}]`, 'names');
+  return { labels: Int32Array.from(labels), names: [...names] };
+}
+
+function packGroups({ groups = [], groupNames }, triangles) {
+  const { labels, names } = packLabels(groups, groupNames, triangles, 'surface.groups', 'surface.groupNames');
+  return { groups: labels, groupNames: names.length > 0 ? names : [''] };
+}
+
+function packBodies({ bodies = [], bodyNames }, triangles) {
+  const { labels, names } = packLabels(bodies, bodyNames, triangles, 'surface.bodies', 'surface.bodyNames');
+  return { bodies: labels, bodyNames: labels.length > 0 ? names : [] };
 }
 
 function packSizes({ sizes = [] }, points) {
@@ -67,8 +77,10 @@ function packSizes({ sizes = [] }, points) {
 
 /** @param {import('./surface.js').SurfaceInput} surface */
 export function packSurface(surface) {
-  checkObject(surface, 'surface', ['points', 'triangles', 'groups', 'groupNames', 'sizes', ...comments]);
+  checkObject(surface, 'surface',
+    ['points', 'triangles', 'groups', 'groupNames', 'bodies', 'bodyNames', 'sizes', ...comments]);
   const points = packPoints(surface.points);
-  const triangles = packTriangles(surface.triangles, points);
-  return { points, triangles, sizes: packSizes(surface, points.length / 3), ...packGroups(surface, triangles.length / 3) };
+  const triangles = packTriangles(surface.triangles, points), count = triangles.length / 3;
+  return { points, triangles, sizes: packSizes(surface, points.length / 3),
+    ...packGroups(surface, count), ...packBodies(surface, count) };
 }

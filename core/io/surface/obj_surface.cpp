@@ -55,6 +55,7 @@ class ObjSurfaceReader {
       read_face();
     } else if (keyword == "o") {
       name_group(object_);
+      builder_.set_body(object_);
     } else if (keyword == "g") {
       name_group(group_);
     } else if (keyword == "usemtl") {
@@ -93,11 +94,19 @@ class ObjSurfaceReader {
     std::string key, name;
     for (const std::string* one : {&object_, &group_, &material_}) {
       key += *one + '\n';
-      if (one->empty()) continue;
+      if (one->empty() || (one == &object_ && begins_with_object(group_))) continue;
       if (!name.empty()) name += '/';
       name += *one;
     }
     builder_.set_group(key, name);
+  }
+
+  /// "bolt" and "bolt face 1" are one name.
+  bool begins_with_object(const std::string& name) const {
+    const std::size_t length = object_.size();
+    return name.compare(0, length, object_) == 0 &&
+           (name.size() == length ||
+            std::string_view(" _/").find(name[length]) != std::string_view::npos);
   }
 
   void warn_of_short_faces() {

@@ -1,6 +1,8 @@
 // See soup_builder.h.
 #include "io/surface/soup_builder.h"
 
+#include "surface/bodies.h"
+
 namespace lpq {
 namespace {
 
@@ -43,17 +45,40 @@ void SoupBuilder::set_group(const std::string& key, const std::string& name) {
   group_ = none;
 }
 
+void SoupBuilder::set_body(const std::string& name) {
+  body_name_ = name;
+  body_ = none;
+  has_bodies_ = true;
+}
+
+SurfaceSoup SoupBuilder::take() {
+  if (!soup_.sizes.empty()) soup_.sizes.resize(soup_.points.size(), 0);
+  if (has_bodies_) {
+    join_loose_bodies(soup_);
+  } else {
+    soup_.body.clear();
+    soup_.body_names.clear();
+  }
+  return std::move(soup_);
+}
+
 void SoupBuilder::add_polygon(std::span<const Index> corners) {
   if (group_ == none) {
     const auto [at, is_new] = groups_.try_emplace(key_, static_cast<Index>(groups_.size()));
     if (is_new) soup_.group_names.push_back(name_);
     group_ = at->second;
   }
+  if (body_ == none) {
+    const auto [at, is_new] = bodies_.try_emplace(body_name_, static_cast<Index>(bodies_.size()));
+    if (is_new) soup_.body_names.push_back(body_name_);
+    body_ = at->second;
+  }
   const std::size_t n = corners.size(), apex = best_apex(corners, soup_.points);
   for (std::size_t k = 1; k + 1 < n; ++k) {
     soup_.triangles.push_back(
         {corners[apex], corners[(apex + k) % n], corners[(apex + k + 1) % n]});
     soup_.group.push_back(group_);
+    soup_.body.push_back(body_);
   }
 }
 

@@ -24,6 +24,9 @@ class SoupBuilder {
   /// Polygons from now on belong to the group of this key, which is shown as `name`.
   void set_group(const std::string& key, const std::string& name);
 
+  /// Polygons from now on belong to the body of this name; before the first call to one without.
+  void set_body(const std::string& name);
+
   /// Three or more corners of points that are there. They are divided into a fan around the first
   /// corner from which all triangles look the same way, so that a polygon with one inward corner
   /// comes out right; a polygon that no corner sees whole is a fan around its first.
@@ -34,16 +37,17 @@ class SoupBuilder {
   /// Whether the file is beyond what indices can count.
   bool too_large() const;
 
-  SurfaceSoup take() {
-    if (!soup_.sizes.empty()) soup_.sizes.resize(soup_.points.size(), 0);
-    return std::move(soup_);
-  }
+  /// With bodies as join_loose_bodies() leaves them, if set_body() was called.
+  SurfaceSoup take();
 
  private:
   SurfaceSoup soup_;
-  std::map<std::string, Index> groups_;
+  std::map<std::string, Index> groups_, bodies_;
   std::string key_, name_;
   Index group_ = none;  // none: the next polygon makes it
+  std::string body_name_;
+  Index body_ = none;  // as above
+  bool has_bodies_ = false;
 };
 
 /// The error for a file that SoupBuilder finds too_large().

@@ -7,11 +7,14 @@
 namespace lpq {
 namespace {
 
-void append_group(std::string& out, const std::string& name, Index group) {
-  out += "g ";
+/// "g name", or "g group_3" where it has none.
+void append_name(std::string& out, char keyword, const std::string& name, const char* kind,
+                 Index number) {
+  out += keyword;
+  out += ' ';
   if (name.empty()) {
-    out += "group_";
-    append_integer(out, std::int64_t{group} + 1);
+    out += kind;
+    append_integer(out, std::int64_t{number} + 1);
   } else {
     append_obj_name(out, name);
   }
@@ -20,8 +23,8 @@ void append_group(std::string& out, const std::string& name, Index group) {
 
 }  // namespace
 
-std::string write_surface_obj(const SurfaceMesh& surface,
-                              std::span<const std::string> group_names) {
+std::string write_surface_obj(const SurfaceMesh& surface, std::span<const std::string> group_names,
+                              std::span<const std::string> body_names) {
   std::string out = "# lpquad\n";
   for (const Vec3 p : surface.points) {
     out += 'v';
@@ -31,11 +34,16 @@ std::string write_surface_obj(const SurfaceMesh& surface,
     }
     out += '\n';
   }
-  Index group = none;
+  Index group = none, body = none;
   for (Index t = 0; t < surface.triangle_count(); ++t) {
+    const Index new_body = surface.body_of(surface.triangles[t][0]);
+    if (!body_names.empty() && new_body != body) {
+      body = new_body;
+      append_name(out, 'o', body_names[body], "body_", body);
+    }
     if (group_names.size() > 1 && surface.group[t] != group) {
       group = surface.group[t];
-      append_group(out, group_names[group], group);
+      append_name(out, 'g', group_names[group], "group_", group);
     }
     out += 'f';
     for (const Index v : surface.triangles[t]) {

@@ -8,7 +8,9 @@
 
 namespace lpq {
 
-/// Wavefront OBJ with 17 digits; triangles in their order, a new group wherever it changes.
-std::string write_surface_obj(const SurfaceMesh& surface, std::span<const std::string> group_names);
+/// Wavefront OBJ with 17 digits; triangles in their order, a new group (g) wherever it changes, and
+/// a new object (o) wherever the body does.
+std::string write_surface_obj(const SurfaceMesh& surface, std::span<const std::string> group_names,
+                              std::span<const std::string> body_names = {});
 
 }  // namespace lpq

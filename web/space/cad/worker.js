@@ -45,7 +45,7 @@ addEventListener('message', async ({ data: { bytes, name, urls } }) => {
     const occt = await instance(urls);
     postMessage({ reading: true });
     const surface = await readCad(bytes, { name, occt });
-    postMessage({ surface }, { transfer: [surface.points.buffer, surface.triangles.buffer, surface.groups.buffer] });
+    postMessage({ surface }, { transfer: [surface.points.buffer, surface.triangles.buffer, surface.groups.buffer, surface.bodies.buffer] });
   } catch (error) {
     postMessage({ error: /** @type {Error} */ (error).message });
   }

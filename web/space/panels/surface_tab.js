@@ -48,6 +48,7 @@ function factsOf({ store }, { frame }) {
   const { surface } = store.project;
   /** @type {[string, string][]} */
   const facts = [['Triangles', count(surface.triangles.length / 3)], ['Points', count(surface.points.length / 3)]];
+  if (surface.bodyNames?.length) facts.push(['Bodies', count(surface.bodyNames.length)]);
   if (surface.groupNames?.length) facts.push(['Groups', count(surface.groupNames.length)]);
   if (frame.features) {
     facts.push(['Faces between sharp edges', count(new Set(frame.features.faces).size)]);
