@@ -31,6 +31,7 @@ class JsSurfaceSession {
     js.set("tick", ticks_);
     js.set("chart", mesher_.charts_meshed());
     js.set("chartCount", static_cast<Index>(mesher_.atlas().charts.size()));
+    js.set("share", mesher_.share());
     return js;
   }
 
@@ -57,12 +58,12 @@ class JsSurfaceSession {
     js.set("triangles", to_corners(surface.triangles));
     js.set("groups", to_array(surface.group));
     js.set("groupNames", to_strings(mesher_.outcome().group_names));
-    return js;
     std::vector<Index> bodies;
     if (!surface.body.empty())
       for (const Tri& t : surface.triangles) bodies.push_back(surface.body[t[0]]);
     js.set("bodies", to_array(bodies));
     js.set("bodyNames", to_strings(mesher_.outcome().body_names));
+    return js;
   }
   val features() const {
     const FeatureLayer layer = feature_layer(mesher_);

@@ -50,7 +50,9 @@ class SurfaceMesher::Run {
       case SurfaceStage::field: return then(SurfaceStage::charts, make_field());
       case SurfaceStage::charts: return then(SurfaceStage::mesh, make_atlas());
       case SurfaceStage::mesh: return mesh_more();
-      case SurfaceStage::seams: return finish();
+      case SurfaceStage::seams:
+        return options_.method == Method::paper ? finish_paper() : finish_seams();
+      case SurfaceStage::shape: return finish_shape();
       case SurfaceStage::done: break;
     }
     return std::nullopt;
@@ -76,6 +78,14 @@ class SurfaceMesher::Run {
     if (charts_) return charts_->chart();
     return stage_ > SurfaceStage::mesh ? static_cast<Index>(outcome_.atlas.charts.size()) : 0;
   }
+  /// Of the stage's work.
+  double share() const {
+    if (seams_) return seams_->share();
+    if (shape_) return shape_->share();
+    if (!charts_ || outcome_.atlas.charts.empty()) return 0;
+    return static_cast<double>(charts_->chart()) /
+           static_cast<double>(outcome_.atlas.charts.size());
+  }
   const ChartsMesher* charts() const { return charts_ ? &*charts_ : nullptr; }
   const ShellMesh& mesh() const { return charts_ ? charts_->result().mesh : outcome_.mesh; }
   const ShellOutcome& outcome() const { return outcome_; }
@@ -97,6 +107,7 @@ class SurfaceMesher::Run {
     outcome_.surface = std::move(repaired->mesh);
     outcome_.group_names = std::move(repaired->group_names);
     asked_ = std::move(repaired->sizes);
+    outcome_.body_names = std::move(repaired->body_names);
     outcome_.report.repair = repaired->report;
     for (Warning& warning : repair_warnings(repaired->report))
       warnings.push_back(std::move(warning));
@@ -106,7 +117,6 @@ class SurfaceMesher::Run {
   std::optional<Error> find_lines() {
     const StageTimer timer = timed("features");
     double& h = outcome_.report.target_size;
-    outcome_.body_names = std::move(repaired->body_names);
     double area = 0;
     for (const auto& [a, b, c] : surface().triangles)
       area += 0.5 * length(cross(surface().points[b] - surface().points[a],
@@ -276,31 +286,58 @@ class SurfaceMesher::Run {
             {}};
   }
 
-  std::optional<Error> finish() {
-    ShellReport& report = outcome_.report;
-    const bool best = options_.method == Method::best;
-    improve("seams", [&] {
-      if (best) report.seams = finish_seams(charted(), chart_options(options_), outcome_.mesh);
-      part_vertices(surface(), outcome_.mesh);
-    });
-    if (best)
-      improve("shape", [&] { report.shape = optimise_shape(charted(), shape(), outcome_.mesh); });
-    stage_ = SurfaceStage::done;
-    const StageTimer timer = timed("summary");
-    summarise(features_, cross_, size_, outcome_);
+  /// The paper's chain ends where the charts are lifted.
+  std::optional<Error> finish_paper() {
+    ShellMesh mesh = outcome_.mesh;
+    part_vertices(surface(), mesh);
+    improve(std::move(mesh));
+    return sum_up();
+  }
+
+  std::optional<Error> finish_seams() {
+    const StageTimer timer = timed("seams");
+    if (!seams_) {
+      seams_.emplace(charted(), chart_options(options_), ShellMesh(outcome_.mesh));
+      return std::nullopt;
+    }
+    if (seams_->step()) return std::nullopt;
+    outcome_.report.seams = seams_->stats();
+    ShellMesh mesh = seams_->take();
+    seams_.reset();
+    part_vertices(surface(), mesh);
+    improve(std::move(mesh));
+    stage_ = SurfaceStage::shape;
     return std::nullopt;
   }
 
-  /// The mesh of the charts is valid: a change that leaves no valid one is taken back.
-  template <class Change>
-  void improve(const char* stage, Change&& change) {
-    const StageTimer timer = timed(stage);
-    ShellMesh before = outcome_.mesh;
-    change();
-    if (!check_shell(surface(), outcome_.mesh, 1).empty()) outcome_.mesh = std::move(before);
+  std::optional<Error> finish_shape() {
+    {
+      const StageTimer timer = timed("shape");
+      if (!shape_) {
+        shape_.emplace(charted(), shape_options(), ShellMesh(outcome_.mesh));
+        return std::nullopt;
+      }
+      if (shape_->step()) return std::nullopt;
+      outcome_.report.shape = shape_->stats();
+      improve(shape_->take());
+      shape_.reset();
+    }
+    return sum_up();
   }
 
-  SmoothOptions shape() const {
+  std::optional<Error> sum_up() {
+    const StageTimer timer = timed("summary");
+    summarise(features_, cross_, size_, outcome_);
+    stage_ = SurfaceStage::done;
+    return std::nullopt;
+  }
+
+  /// The mesh of the charts is valid: one that is not does not take its place.
+  void improve(ShellMesh mesh) {
+    if (check_shell(surface(), mesh, 1).empty()) outcome_.mesh = std::move(mesh);
+  }
+
+  SmoothOptions shape_options() const {
     SmoothOptions smoothing = shape_smoothing(chart_options(options_));
     if (options_.smoothing >= 0) smoothing.iterations = options_.smoothing;
     return smoothing;
@@ -327,6 +364,8 @@ class SurfaceMesher::Run {
   std::optional<Kept> kept_;            // good enough, while a better one is tried
   int doubts_ = 0;                      // rounds for meshes that were too coarse in places
   std::optional<ChartsMesher> charts_;  // while they are meshed
+  std::optional<SeamFinisher> seams_;   // in their stage
+  std::optional<ShapeFinisher> shape_;  // in its stage
 };
 
 SurfaceMesher::SurfaceMesher(std::unique_ptr<Run> run) : run_(std::move(run)) {}
@@ -357,14 +396,27 @@ std::span<const double> SurfaceMesher::sizes() const { return run_->sizes(); }
 const SurfaceCrossField& SurfaceMesher::cross_field() const { return run_->cross_field(); }
 const Atlas& SurfaceMesher::atlas() const { return run_->atlas(); }
 Index SurfaceMesher::charts_meshed() const { return run_->charts_meshed(); }
+double SurfaceMesher::share() const { return run_->share(); }
 const ChartsMesher* SurfaceMesher::charts() const { return run_->charts(); }
 const ShellMesh& SurfaceMesher::mesh() const { return run_->mesh(); }
 const ShellOutcome& SurfaceMesher::outcome() const { return run_->outcome(); }
 
 const char* stage_name(SurfaceStage stage) {
-  constexpr const char* names[] = {"features", "field", "charts", "mesh", "seams", "done"};
+  constexpr const char* names[] = {"features", "field", "charts", "mesh", "seams", "shape", "done"};
   return names[static_cast<std::size_t>(stage)];
 }
+
+namespace {
+
+Progress progress_of(const SurfaceMesher& mesher) {
+  constexpr int whole = 100;
+  if (mesher.stage() > SurfaceStage::mesh)
+    return {stage_name(mesher.stage()), static_cast<int>(whole * mesher.share()), whole};
+  return {stage_name(mesher.stage()), mesher.charts_meshed(),
+          static_cast<int>(mesher.atlas().charts.size())};
+}
+
+}  // namespace
 
 Result<ShellOutcome> mesh_surface(SurfaceSoup soup, const SurfaceOptions& options, Monitor monitor,
                                   int threads) {
@@ -373,9 +425,7 @@ Result<ShellOutcome> mesh_surface(SurfaceSoup soup, const SurfaceOptions& option
   auto mesher = SurfaceMesher::start(std::move(soup), options);
   if (!mesher) return mesher.error();
   while (mesher->stage() != SurfaceStage::done) {
-    const Progress progress{stage_name(mesher->stage()), mesher->charts_meshed(),
-                            static_cast<int>(mesher->atlas().charts.size())};
-    if (!monitor(progress)) return cancelled;
+    if (!monitor(progress_of(*mesher))) return cancelled;
     if (threads > 1 && !mesher->mesh_planes(threads, monitor)) return cancelled;
     if (const auto stage = mesher->step(); !stage) return stage.error();
   }

@@ -16,7 +16,7 @@ namespace lpq {
 
 class ChartsMesher;
 
-enum class SurfaceStage { features, field, charts, mesh, seams, done };
+enum class SurfaceStage { features, field, charts, mesh, seams, shape, done };
 const char* stage_name(SurfaceStage stage);
 
 /// A run in steps, forwards only. What a stage has made can be looked at from then on.
@@ -28,8 +28,9 @@ class SurfaceMesher {
   SurfaceMesher& operator=(SurfaceMesher&&) noexcept;
   ~SurfaceMesher();
 
-  /// Advances by one stage, or in `mesh` by one step of the planar chain in one chart. After the
-  /// call stage() is what comes next. Errors: those of mesh_surface but cancelled.
+  /// Advances by one stage, or in `mesh` by one step of the planar chain in one chart, in `seams`
+  /// by one window, in `shape` by one patch or one descent over all. After the call stage() is what
+  /// comes next. Errors: those of mesh_surface but cancelled.
   Result<SurfaceStage> step();
 
   /// In the stage `mesh`, before its first step: meshes all charts in their planes by threads; the
@@ -45,6 +46,7 @@ class SurfaceMesher {
   const SurfaceCrossField& cross_field() const;
   const Atlas& atlas() const;
   Index charts_meshed() const;          // of the current round
+  double share() const;                 // of the work of the stage, 0 to 1, as far as it is known
   const ChartsMesher* charts() const;   // while they are meshed; nullptr before and after
   const ShellMesh& mesh() const;        // of these charts, or of all
   const ShellOutcome& outcome() const;  // whole once done
@@ -55,9 +57,10 @@ class SurfaceMesher {
   std::unique_ptr<Run> run_;
 };
 
-/// The whole run. `monitor` is asked between steps, on this thread; its iterations are charts.
-/// `threads`: for the charts, 0 = as many as the machine runs at once; the mesh does not depend on
-/// it. Errors: those of repair_surface, bad_option, bad_size, too_many_elements, no_valid_mesh,
+/// The whole run. `monitor` is asked between steps, on this thread; its iterations are charts,
+/// after `mesh` hundredths of the stage. `threads`: for the charts, 0 = as many as the machine runs
+/// at once; the mesh does not depend on it. Errors: those of repair_surface, bad_option, bad_size,
+/// too_many_elements, no_valid_mesh,
 /// cancelled.
 Result<ShellOutcome> mesh_surface(SurfaceSoup soup, const SurfaceOptions& options = {},
                                   Monitor monitor = {}, int threads = 0);

@@ -13,41 +13,66 @@ namespace {
 
 constexpr double seam_radius = 13;  // in mesh sizes
 constexpr double knot_radius = 18;  // far enough to see what irregular vertices could cancel
-constexpr int knot_rounds = 2;
+constexpr int seam_passes = 2, knot_passes = 2, passes = seam_passes + knot_passes;
 constexpr double margin = 1.5;  // around a window, for vertices between those that stay
 constexpr double smallest_radius = 3.5;
 constexpr double shrink = 0.7;         // of a window without a good map
 constexpr double covered_share = 0.5;  // of the radius: what a window has dealt with
 
-class SeamFinisher {
+}  // namespace
+
+class SeamFinisher::Run {
  public:
-  SeamFinisher(const Charted& charted, const Options& options, ShellMesh& mesh,
-               std::span<const char> feature)
+  Run(const Charted& charted, const Options& options, ShellMesh mesh)
       : charted_(charted),
         options_(options),
-        mesh_(mesh),
-        balls_(charted.mesh, feature),
+        mesh_(std::move(mesh)),
+        feature_(charted.features.half_edges()),
+        balls_(charted.mesh, feature_),
         windows_(charted.mesh, charted.cross, charted.size),
-        seed_(options.seed) {}
-
-  SeamStats run() {
-    std::vector<char> wanted(mesh_.points.size(), 0);
-    for (std::size_t v = 0; v < charted_.nodes.points.size(); ++v) wanted[v] = !mesh_.pinned[v];
-    for (int pass = 0; pass < 2; ++pass) {
-      rim_.assign(mesh_.points.size(), 0);
-      sweep(wanted, Rework::seam, seam_radius);
-      wanted = rim_;
-    }
-    for (int round = 0; round < knot_rounds; ++round) {
-      compact();
-      rim_.assign(mesh_.points.size(), 0);
-      sweep(knots(), Rework::knot, knot_radius);
-    }
-    compact();
-    return stats_;
+        wanted_(mesh_.points.size(), 0),
+        rim_(mesh_.points.size(), 0),
+        seed_(options.seed) {
+    for (std::size_t v = 0; v < charted_.nodes.points.size(); ++v) wanted_[v] = !mesh_.pinned[v];
   }
 
+  /// One window after the other over the vertices that want one.
+  bool step() {
+    if (pass_ == passes) return false;
+    while (next_ < wanted_.size()) {
+      const std::size_t v = next_++;
+      if (!wanted_[v] || mesh_.places[v].triangle == none) continue;
+      if (pass_ < seam_passes)
+        open_window(v, Rework::seam, seam_radius);
+      else
+        open_window(v, Rework::knot, knot_radius);
+      return true;
+    }
+    end_pass();
+    return pass_ < passes;
+  }
+
+  double share() const {
+    const double of_pass =
+        wanted_.empty() ? 0 : static_cast<double>(next_) / static_cast<double>(wanted_.size());
+    return (pass_ + of_pass) / passes;
+  }
+  const SeamStats& stats() const { return stats_; }
+  ShellMesh take() { return std::move(mesh_); }
+
  private:
+  void end_pass() {
+    ++pass_;
+    next_ = 0;
+    if (pass_ < seam_passes) {
+      wanted_ = rim_;
+    } else {
+      compact();
+      wanted_ = pass_ < passes ? knots() : std::vector<char>();
+    }
+    rim_.assign(mesh_.points.size(), 0);
+  }
+
   /// Free vertices where other than four quads meet.
   std::vector<char> knots() const {
     std::vector<Index> valence(mesh_.points.size(), 0);
@@ -59,26 +84,22 @@ class SeamFinisher {
     return wanted;
   }
 
-  /// One window after the other over the vertices that want one.
-  void sweep(std::vector<char> wanted, Rework kind, double largest_radius) {
-    for (std::size_t v = 0; v < wanted.size(); ++v) {
-      if (!wanted[v] || mesh_.places[v].triangle == none) continue;
-      const double h = charted_.size[charted_.mesh.triangles[mesh_.places[v].triangle][0]];
-      for (double radius = largest_radius; radius >= smallest_radius; radius *= shrink) {
-        auto window = windows_.open(
-            mesh_, balls_.ball(mesh_.places[v].triangle, (radius + margin) * h, margin * h));
-        if (!window) continue;
-        ++stats_.windows;
-        const Vec3 centre = mesh_.points[v];
-        if (auto quads = rework(*window, kind, options_, seed_++)) {
-          ++stats_.accepted;
-          put_back(*window, *quads);
-        }
-        for (std::size_t w = v; w < wanted.size(); ++w)
-          if (distance(mesh_.points[w], centre) < covered_share * radius * h) wanted[w] = 0;
-        break;
+  /// The largest that can be around the vertex.
+  void open_window(std::size_t v, Rework kind, double largest_radius) {
+    const double h = charted_.size[charted_.mesh.triangles[mesh_.places[v].triangle][0]];
+    for (double radius = largest_radius; radius >= smallest_radius; radius *= shrink) {
+      auto window = windows_.open(
+          mesh_, balls_.ball(mesh_.places[v].triangle, (radius + margin) * h, margin * h));
+      if (!window) continue;
+      ++stats_.windows;
+      const Vec3 centre = mesh_.points[v];
+      if (auto quads = rework(*window, kind, options_, seed_++)) {
+        ++stats_.accepted;
+        put_back(*window, *quads);
       }
-      wanted[v] = 0;
+      for (std::size_t w = next_; w < wanted_.size(); ++w)
+        if (distance(mesh_.points[w], centre) < covered_share * radius * h) wanted_[w] = 0;
+      return;
     }
   }
 
@@ -133,21 +154,27 @@ class SeamFinisher {
       for (Index& v : edge) v = number[v];
   }
 
-  const Charted& charted_;
-  const Options& options_;
-  ShellMesh& mesh_;
+  Charted charted_;
+  Options options_;
+  ShellMesh mesh_;
+  std::vector<char> feature_;  // #half-edges
   BallFinder balls_;
   WindowMaker windows_;
-  std::vector<char> rim_;  // #V  free vertices on the borders of windows
-  std::uint64_t seed_;     // of the search in the next window
+  int pass_ = 0;
+  std::vector<char> wanted_;  // #V at the beginning of the pass: vertices that want a window
+  std::size_t next_ = 0;      // of them
+  std::vector<char> rim_;     // #V  free vertices on the borders of windows
+  std::uint64_t seed_;        // of the search in the next window
   SeamStats stats_;
 };
 
-}  // namespace
+SeamFinisher::SeamFinisher(const Charted& charted, const Options& options, ShellMesh mesh)
+    : run_(std::make_unique<Run>(charted, options, std::move(mesh))) {}
+SeamFinisher::~SeamFinisher() = default;
 
-SeamStats finish_seams(const Charted& charted, const Options& options, ShellMesh& mesh) {
-  const std::vector<char> feature = charted.features.half_edges();
-  return SeamFinisher(charted, options, mesh, feature).run();
-}
+bool SeamFinisher::step() { return run_->step(); }
+double SeamFinisher::share() const { return run_->share(); }
+const SeamStats& SeamFinisher::stats() const { return run_->stats(); }
+ShellMesh SeamFinisher::take() { return run_->take(); }
 
 }  // namespace lpq

@@ -4,7 +4,8 @@
 // that are left: many could cancel another one far away.
 #pragma once
 
-#include "base/monitor.h"
+#include <memory>
+
 #include "pipeline/options.h"
 #include "shell/mesh_charts.h"
 
@@ -15,7 +16,24 @@ struct SeamStats {
   Index accepted = 0;  // whose result was taken
 };
 
-/// Frees the nodes on cuts and remeshes around them, and around irregular vertices.
-SeamStats finish_seams(const Charted& charted, const Options& options, ShellMesh& mesh);
+/// Frees the nodes on cuts and remeshes around them, and around irregular vertices: in steps of one
+/// window.
+class SeamFinisher {
+ public:
+  /// What `charted` refers to must stay as it is until the end.
+  SeamFinisher(const Charted& charted, const Options& options, ShellMesh mesh);
+  ~SeamFinisher();
+
+  /// False once all is done.
+  bool step();
+  double share() const;  // of the work, as far as it is known
+  const SeamStats& stats() const;
+  /// Once all is done.
+  ShellMesh take();
+
+ private:
+  class Run;
+  std::unique_ptr<Run> run_;
+};
 
 }  // namespace lpq

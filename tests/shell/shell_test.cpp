@@ -2,6 +2,7 @@
 // edges of the mesh, and cuts leave no trace that a person would see.
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "catch.h"
 #include "shell/check.h"
@@ -152,7 +153,6 @@ TEST_CASE("parts of a surface that meet in a point keep that point") {
   CHECK(std::count(outcome.mesh.points.begin(), outcome.mesh.points.end(), *top) == 1);
 }
 
-TEST_CASE("where a surface is thinner than the mesh size, the size gives way") {
 TEST_CASE("bodies that share a side get closed meshes, each as if it were alone") {
   const SurfaceOptions options{.size = 0.2};
   const ShellOutcome pair = meshed(touching_boxes(2), options);
@@ -180,6 +180,7 @@ TEST_CASE("bodies that share a side get closed meshes, each as if it were alone"
   CHECK(alone.report.bodies.empty());
 }
 
+TEST_CASE("where a surface is thinner than the mesh size, the size gives way") {
   for (const double tube : {0.1, 0.03}) {
     const auto outcome = mesh_surface(soup_of(torus(96, 16, 1, tube)), {.size = 0.5});
     REQUIRE(outcome.has_value());
@@ -242,6 +243,41 @@ TEST_CASE("a surface run can be stopped, and repeats itself") {
   const ShellOutcome a = meshed(soup, {.size = 0.2}), b = meshed(soup, {.size = 0.2});
   CHECK(a.mesh.points == b.mesh.points);
   CHECK(a.mesh.faces == b.mesh.faces);
+}
+
+TEST_CASE("seams and shape are made in many steps, which can be stopped and looked into") {
+  auto mesher = SurfaceMesher::start(soup_of(torus(16, 32, 1, 0.4)), {.size = 0.2});
+  REQUIRE(mesher.has_value());
+  int steps[2] = {0, 0};
+  SurfaceStage stage = mesher->stage();
+  double share = 0;
+  while (mesher->stage() != SurfaceStage::done) {
+    if (mesher->stage() != stage) share = 0;
+    stage = mesher->stage();
+    CHECK((mesher->share() >= 0 && mesher->share() <= 1));
+    if (stage > SurfaceStage::mesh) {
+      CHECK(mesher->share() >= share);
+      share = mesher->share();
+      ++steps[stage == SurfaceStage::shape];
+      // What is shown meanwhile is a mesh.
+      CHECK(check_shell(mesher->surface(), mesher->mesh()).empty());
+    }
+    REQUIRE(mesher->step());
+  }
+  const Index windows = mesher->outcome().report.seams.windows;
+  CHECK(windows > 4);
+  CHECK(steps[0] > windows);  // one at most in each
+  CHECK(steps[1] > 4);
+
+  int left = 3;
+  const auto in_seams = [](const Progress& progress, void* user) {
+    return std::string(progress.stage) != "seams" || --*static_cast<int*>(user) > 0;
+  };
+  const auto stopped =
+      mesh_surface(soup_of(torus(16, 32, 1, 0.4)), {.size = 0.2}, {in_seams, &left});
+  REQUIRE(!stopped);
+  CHECK(stopped.error().code == ErrorCode::cancelled);
+  CHECK(left == 0);
 }
 
 TEST_CASE("the cells of the chart that is meshed cover it, in its plane and on the surface") {

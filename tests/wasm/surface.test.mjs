@@ -186,12 +186,13 @@ test('what cannot be meshed is said with a code, and the instance lives on', asy
 test('progress names the stages in order, false ends the run, and exceptions come through', async () => {
   const seen = [];
   await lpquad.meshSurface(box, { ...options, onProgress: (progress) => void seen.push(progress) });
-  const order = ['features', 'field', 'charts', 'mesh', 'seams'];
+  const order = ['features', 'field', 'charts', 'mesh', 'seams', 'shape'];
   const places = seen.map(({ stage }) => order.indexOf(stage));
   assert.ok(places.every((at, i) => at >= 0 && (i === 0 || places[i - 1] <= at)));
   assert.deepEqual(new Set(places), new Set(order.keys()));
   assert.ok(seen.every(({ tick }, i) => tick === i));
   assert.ok(seen.every(({ chart, chartCount, stage }) => chart <= chartCount && (stage !== 'seams' || chart === chartCount)));
+  assert.ok(seen.every(({ share, stage }, i) => share >= 0 && share <= 1 && (stage !== seen[i - 1]?.stage || stage === 'mesh' || share >= seen[i - 1].share)));
   let left = 5;
   await rejectionOf('CANCELLED', lpquad.meshSurface(box, { ...options, onProgress: () => left-- > 0 }));
   const mine = new RangeError('mine');
@@ -199,7 +200,18 @@ test('progress names the stages in order, false ends the run, and exceptions com
   assert.equal(await hashOf(box), expected);
 });
 
-/** Cells of one chart: pieces turn counter-clockwise, and as points in space they are as many. */
+test('seams and shape go in many ticks, between which a run ends at once', async () => {
+  const tube = torus(16, 32), size = 0.25;
+  const { seams = 0, shape = 0 } = await (async () => {
+    const ticks = {};
+    await lpquad.meshSurface(tube, { size, onProgress: ({ stage }) => { ticks[stage] = (ticks[stage] ?? 0) + 1; } });
+    return ticks;
+  })();
+  assert.ok(seams > 4 && shape > 4, `${seams} and ${shape}`);
+  for (const wanted of ['seams', 'shape'])
+    await rejectionOf('CANCELLED', lpquad.meshSurface(tube, { size, onProgress: ({ stage, share }) => stage !== wanted || share < 0.5 }));
+});
+
 test('bodies that share a side are meshed apart, and counted', async () => {
   const points = Float64Array.from(box.points), next = points.map((x, i) => (i % 3 === 0 ? x + 1 : x));
   const triangles = [...box.triangles, ...box.triangles.map((v) => v + 8)];
@@ -219,6 +231,7 @@ test('bodies that share a side are meshed apart, and counted', async () => {
   await rejectionOf('BAD_OPTION', lpquad.meshSurface({ ...boxes, bodyNames: ['left'] }, options));
 });
 
+/** Cells of one chart: pieces turn counter-clockwise, and as points in space they are as many. */
 function checkCells({ chart, uv, points, offsets, sites, density }, { charts }) {
   assert.equal(offsets.length, sites.length + 1);
   assert.equal(uv.length, 2 * offsets.at(-1));

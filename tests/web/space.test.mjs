@@ -172,9 +172,12 @@ test('on the border of two charts a corner has a place in either', () => {
 });
 
 test('the run is told in words and as a share', () => {
-  const run = { phase: 'running', work: null, frame: {}, result: null, error: null, state: { stage: 'mesh', tick: 9, chart: 3, chartCount: 6 } };
+  const run = { phase: 'running', work: null, frame: {}, result: null, error: null, state: { stage: 'mesh', tick: 9, chart: 3, chartCount: 6, share: 0.5 } };
   assert.equal(stageInWords(run), 'meshing charts: 3 of 6');
-  near(shareOf(run), 0.5);
+  const shares = ['features', 'field', 'charts', 'mesh', 'seams', 'shape', 'done'].flatMap((stage) =>
+    [0, 0.5, 1].map((share) => shareOf({ ...run, state: { ...run.state, stage, share } })));
+  assert.ok(shares.every((share, i) => share <= 1 && (i === 0 || share >= shares[i - 1])));
+  assert.ok(shares[4] > shares[3] && shares[16] > shares[15]);
   assert.equal(shareOf({ ...run, phase: 'done' }), 1);
   assert.equal(portionAfter(4, 10), 8);
   assert.equal(portionAfter(4, 90), 2);

@@ -52,15 +52,20 @@ export interface ReadSurfaceOptions {
 }
 
 /** What comes next. */
-export type SurfaceStage = 'features' | 'field' | 'charts' | 'mesh' | 'seams' | 'done';
+export type SurfaceStage = 'features' | 'field' | 'charts' | 'mesh' | 'seams' | 'shape' | 'done';
 
-/** Where a run on a surface is. A tick is a stage, or in `mesh` one step of the planar chain in one chart. */
+/**
+ * Where a run on a surface is. A tick is a stage, or in `mesh` one step of the planar chain in one chart, in `seams` one
+ * window, in `shape` one patch or one descent over all.
+ */
 export interface SurfaceProgress {
   stage: SurfaceStage;
   tick: number;
   /** Charts meshed so far, of so many; 0 until there are charts. */
   chart: number;
   chartCount: number;
+  /** Of the work of the stage, 0 to 1, as far as it is known. */
+  share: number;
 }
 
 export interface SurfaceCallOptions extends SurfaceOptions {
@@ -110,13 +115,13 @@ export interface SurfaceReport {
   /** Measured in space; `nonconvex` quads are said in `warnings`. */
   quality: Report['quality'];
   size: Report['size'];
+  /** The mesh of each body; `[]` where the surface does not tell bodies. A closed one has no border edge. */
+  bodies: { name: string; vertices: number; quads: number; triangles: number; parts: number; borderEdges: number }[];
   /** What was done to the triangles as given: counts by kind. */
   repairs: Record<string, number>;
   options: Required<SurfaceOptions>;
   cpuSeconds: Record<string, number>;
   warnings: ReportedError[];
-  /** The mesh of each body; `[]` where the surface does not tell bodies. A closed one has no border edge. */
-  bodies: { name: string; vertices: number; quads: number; triangles: number; parts: number; borderEdges: number }[];
   [more: string]: unknown;
 }
 

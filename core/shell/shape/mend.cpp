@@ -25,9 +25,7 @@ constexpr double least_saving = 1;
 constexpr double most_seeds = 0.02;
 constexpr std::size_t some_seeds = 100;
 
-using Verdict = ShapeSmoother::Verdict;
-
-bool is_better(const Verdict& a, const Verdict& b, double saving) {
+bool is_better(const ShapeSmoother::Verdict& a, const ShapeSmoother::Verdict& b, double saving) {
   if (a.tangled != b.tangled) return a.tangled < b.tangled;
   return a.energy < b.energy - saving && a.worst >= b.worst;
 }
@@ -45,43 +43,62 @@ bool has_short_side(const ShellMesh& mesh) {
   });
 }
 
-class Mender {
- public:
-  Mender(const ShapeGround& ground, const SmoothOptions& options, ShellMesh& mesh,
-         std::vector<VertexRole>& roles)
-      : ground_(ground), options_(options), mesh_(mesh), roles_(roles) {}
+}  // namespace
 
-  MendStats run(double bound, bool refill) {
-    stars_ = faces_at_vertices(mesh_);
-    auto left =
-        some_seeds + static_cast<std::size_t>(most_seeds * static_cast<double>(mesh_.faces.size()));
+class Mender::Run {
+ public:
+  Run(const ShapeGround& ground, const SmoothOptions& options, ShellMesh& mesh,
+      std::vector<VertexRole>& roles)
+      : ground_(ground),
+        options_(options),
+        mesh_(mesh),
+        roles_(roles),
+        stars_(faces_at_vertices(mesh)),
+        seeds_left_(some_seeds +
+                    static_cast<std::size_t>(most_seeds * static_cast<double>(mesh.faces.size()))),
+        covered_(mesh.faces.size(), 0) {}
+
+  bool mend_next(double bound, bool refill) {
     // New faces come last, and may be seeds again; every change saves energy.
-    for (Index f = 0; f < static_cast<Index>(mesh_.faces.size()) && left > 0; ++f) {
+    while (next_ < static_cast<Index>(mesh_.faces.size()) && seeds_left_ > 0) {
+      const Index f = next_++;
       if (mesh_.faces[f][0] == none || signed_eta(ground_, mesh_, f) >= bound) continue;
       mend(f, refill);
-      --left;
+      --seeds_left_;
+      return true;
     }
     compact(mesh_, roles_);
-    return stats_;
+    return false;
   }
 
-  void smooth_everywhere() {
-    stars_ = faces_at_vertices(mesh_);
-    std::vector<char> covered(mesh_.faces.size(), 0);
-    for (Index f = 0; f < static_cast<Index>(covered.size()); ++f) {
-      if (covered[f]) continue;
-      for (const Index g : faces_around(f, covered_rings)) covered[g] = 1;
-      ShapePatch patch = take_patch(mesh_, roles_, stars_, faces_around(f, smoothed_rings));
-      ShapeSmoother smoother(ground_, patch.roles, options_, patch.mesh);
-      const Verdict before = smoother.verdict();
-      smoother.descend_eta(smoother.part_above(least_moved), eta_steps, eta_tolerance);
-      if (!is_better(smoother.verdict(), before, 0)) continue;
-      patch.roles = smoother.freedom().roles();
-      put_back(patch, mesh_, roles_);
-    }
+  bool smooth_next() {
+    while (next_ < static_cast<Index>(covered_.size()) && covered_[next_]) ++next_;
+    if (next_ == static_cast<Index>(covered_.size())) return false;
+    smooth_around(next_);
+    return true;
   }
+
+  double share() const {
+    return mesh_.faces.empty()
+               ? 1
+               : static_cast<double>(next_) / static_cast<double>(mesh_.faces.size());
+  }
+  const MendStats& stats() const { return stats_; }
 
  private:
+  using Verdict = ShapeSmoother::Verdict;
+
+  void smooth_around(Index f) {
+    for (const Index g : faces_around(f, covered_rings)) covered_[g] = 1;
+    ShapePatch patch = take_patch(mesh_, roles_, stars_, faces_around(f, smoothed_rings));
+    ShapeSmoother smoother(ground_, patch.roles, options_, patch.mesh);
+    const Verdict before = smoother.verdict();
+    smoother.descend_eta(smoother.part_above(least_moved), eta_steps, eta_tolerance);
+    if (!is_better(smoother.verdict(), before, 0)) return;
+    patch.roles = smoother.freedom().roles();
+    put_back(patch, mesh_, roles_);
+  }
+
   std::vector<Index> faces_around(Index f, int width) const {
     std::vector<Index> all{f};
     for (int ring = 0; ring < width; ++ring) {
@@ -155,19 +172,20 @@ class Mender {
   ShellMesh& mesh_;
   std::vector<VertexRole>& roles_;
   Csr<Index> stars_;
+  Index next_ = 0;  // face
+  std::size_t seeds_left_;
+  std::vector<char> covered_;  // #F
   MendStats stats_;
 };
 
-}  // namespace
+Mender::Mender(const ShapeGround& ground, const SmoothOptions& options, ShellMesh& mesh,
+               std::vector<VertexRole>& roles)
+    : run_(std::make_unique<Run>(ground, options, mesh, roles)) {}
+Mender::~Mender() = default;
 
-MendStats mend_worst(const ShapeGround& ground, const SmoothOptions& options, double bound,
-                     bool refill, ShellMesh& mesh, std::vector<VertexRole>& roles) {
-  return Mender(ground, options, mesh, roles).run(bound, refill);
-}
-
-void smooth_patches(const ShapeGround& ground, const SmoothOptions& options, ShellMesh& mesh,
-                    std::vector<VertexRole>& roles) {
-  Mender(ground, options, mesh, roles).smooth_everywhere();
-}
+bool Mender::mend_next(double bound, bool refill) { return run_->mend_next(bound, refill); }
+bool Mender::smooth_next() { return run_->smooth_next(); }
+double Mender::share() const { return run_->share(); }
+const MendStats& Mender::stats() const { return run_->stats(); }
 
 }  // namespace lpq

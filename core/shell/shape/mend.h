@@ -2,6 +2,8 @@
 // around it: by moving vertices, and where that is not enough by a change of connectivity.
 #pragma once
 
+#include <memory>
+
 #include "cleanup/smooth.h"
 #include "shell/shape/patch.h"
 
@@ -12,14 +14,29 @@ struct MendStats {
   Index refilled = 0;  // with other quads
 };
 
-/// Seeds are quads with eta below `bound`, or not strictly convex. What is accepted has fewer
-/// tangled quads, or as many and less eta energy and no worse eta.
-MendStats mend_worst(const ShapeGround& ground, const SmoothOptions& options, double bound,
-                     bool refill, ShellMesh& mesh, std::vector<VertexRole>& roles);
+/// In steps of one patch. All that is given must stay until the end.
+class Mender {
+ public:
+  Mender(const ShapeGround& ground, const SmoothOptions& options, ShellMesh& mesh,
+         std::vector<VertexRole>& roles);
+  ~Mender();
 
-/// Eta descent on overlapping patches that cover the mesh, for when a step that is small somewhere
-/// holds up a descent over all. A patch is kept as it was unless it becomes better, as above.
-void smooth_patches(const ShapeGround& ground, const SmoothOptions& options, ShellMesh& mesh,
-                    std::vector<VertexRole>& roles);
+  /// Mends a seed: a quad with eta below `bound`, or not strictly convex. What is accepted has
+  /// fewer tangled quads, or as many and less eta energy and no worse eta. False once there is none
+  /// left and the mesh is whole.
+  bool mend_next(double bound, bool refill);
+
+  /// Eta descent on one of the overlapping patches that cover the mesh, for when a step that is
+  /// small somewhere holds up a descent over all. A patch is kept as it was unless it becomes
+  /// better, as above. False once all are done.
+  bool smooth_next();
+
+  double share() const;  // of the faces, looked at
+  const MendStats& stats() const;
+
+ private:
+  class Run;
+  std::unique_ptr<Run> run_;
+};
 
 }  // namespace lpq

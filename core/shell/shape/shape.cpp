@@ -2,6 +2,9 @@
 #include "shell/shape/shape.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
+#include <utility>
 
 #include "shell/shape/mend.h"
 #include "shell/shape/smoother.h"
@@ -52,24 +55,47 @@ void take_back(const ShellMesh& mesh, const std::vector<Freedom::State>& before,
   smoother.restore(before);
 }
 
-int smooth_all(const ShapeGround& ground, const SmoothOptions& options, ShellMesh& mesh,
-               std::vector<VertexRole>& roles) {
-  ShapeSmoother smoother(ground, roles, options, mesh);
-  int all = 0;
-  for (int round = 0; round < rounds; ++round) {
-    const std::vector<double> least = least_allowed(mesh, smoother.judge_all());
-    const std::vector<Freedom::State> before = smoother.states();
-    int left = options.iterations / rounds;
-    for (const double bound : pinned_below)
-      if (left > 0) left -= smoother.descend_eta(smoother.part_above(bound), left);
-    take_back(mesh, before, least, smoother);
-    const int done = options.iterations / rounds - left;
-    all += done;
-    if (done == 0) break;
+/// The descent over all vertices, in steps of one that ends where it gets stuck.
+class WholeDescent {
+ public:
+  WholeDescent(const ShapeGround& ground, const SmoothOptions& options,
+               const std::vector<VertexRole>& roles, ShellMesh& mesh)
+      : most_(options.iterations / rounds), mesh_(mesh), smoother_(ground, roles, options, mesh) {}
+
+  bool step() {
+    if (round_ == rounds) return false;
+    if (bound_ == std::begin(pinned_below)) begin_round();
+    if (left_ > 0) left_ -= smoother_.descend_eta(smoother_.part_above(*bound_), left_);
+    if (++bound_ == std::end(pinned_below)) end_round();
+    return true;
   }
-  roles = smoother.freedom().roles();
-  return all;
-}
+
+  double share() const { return static_cast<double>(round_) / rounds; }
+  int iterations() const { return all_; }
+  const std::vector<VertexRole>& roles() const { return smoother_.freedom().roles(); }
+
+ private:
+  void begin_round() {
+    least_ = least_allowed(mesh_, smoother_.judge_all());
+    before_ = smoother_.states();
+    left_ = most_;
+  }
+
+  void end_round() {
+    take_back(mesh_, before_, least_, smoother_);
+    all_ += most_ - left_;
+    round_ = left_ == most_ ? rounds : round_ + 1;
+    bound_ = std::begin(pinned_below);
+  }
+
+  int most_;  // iterations of a round
+  const ShellMesh& mesh_;
+  ShapeSmoother smoother_;
+  int round_ = 0, left_ = 0, all_ = 0;
+  const double* bound_ = std::begin(pinned_below);
+  std::vector<double> least_;           // #F
+  std::vector<Freedom::State> before_;  // #V
+};
 
 /// Nodes exactly where their roles say, so that what lies beside them is known.
 void settle_nodes(const ShapeGround& ground, const std::vector<VertexRole>& roles,
@@ -89,19 +115,102 @@ Index count_tangled(const ShapeGround& ground, const ShellMesh& mesh) {
 
 }  // namespace
 
+class ShapeFinisher::Run {
+ public:
+  Run(const Charted& charted, const SmoothOptions& options, ShellMesh mesh)
+      : options_(options),
+        mesh_(std::move(mesh)),
+        ground_(charted),
+        roles_(vertex_roles(charted, ground_.tracks, mesh_)) {
+    settle_nodes(ground_, roles_, mesh_);
+    stats_.tangled_before = count_tangled(ground_, mesh_);
+    mender_.emplace(ground_, options_, mesh_, roles_);
+  }
+
+  bool step() {
+    switch (part_) {
+      case Part::flat: return mender_->mend_next(flat, true) || end_flat();
+      case Part::descent: return descent_->step() || end_descent();
+      case Part::patches: return mender_->smooth_next() || begin_poor();
+      case Part::poor: return mender_->mend_next(poor, false) || end_poor();
+      case Part::done: break;
+    }
+    return false;
+  }
+
+  double share() const {
+    switch (part_) {
+      case Part::flat: return 0.2 * mender_->share();
+      case Part::descent: return 0.2 + 0.5 * descent_->share();
+      case Part::patches: return 0.7 + 0.1 * mender_->share();
+      case Part::poor: return 0.8 + 0.2 * mender_->share();
+      case Part::done: break;
+    }
+    return 1;
+  }
+  const ShapeStats& stats() const { return stats_; }
+  ShellMesh take() { return std::move(mesh_); }
+
+ private:
+  enum class Part { flat, descent, patches, poor, done };
+
+  bool end_flat() {
+    stats_.refilled += mender_->stats().refilled;
+    mender_.reset();
+    descent_.emplace(ground_, options_, roles_, mesh_);
+    part_ = Part::descent;
+    return true;
+  }
+
+  bool end_descent() {
+    stats_.iterations = descent_->iterations();
+    roles_ = std::vector<VertexRole>(descent_->roles());
+    descent_.reset();
+    if (stats_.iterations >= stalled_share * options_.iterations) return begin_poor();
+    mender_.emplace(ground_, options_, mesh_, roles_);
+    part_ = Part::patches;
+    return true;
+  }
+
+  bool begin_poor() {
+    mender_.emplace(ground_, options_, mesh_, roles_);
+    part_ = Part::poor;
+    return true;
+  }
+
+  bool end_poor() {
+    stats_.refilled += mender_->stats().refilled;
+    mender_.reset();
+    stats_.tangled_after = count_tangled(ground_, mesh_);
+    part_ = Part::done;
+    return false;
+  }
+
+  SmoothOptions options_;
+  ShellMesh mesh_;
+  ShapeGround ground_;
+  std::vector<VertexRole> roles_;
+  std::optional<Mender> mender_;         // of the part that mends or smooths patches
+  std::optional<WholeDescent> descent_;  // of the part between
+  Part part_ = Part::flat;
+  ShapeStats stats_;
+};
+
+ShapeFinisher::ShapeFinisher(const Charted& charted, const SmoothOptions& options, ShellMesh mesh)
+    : run_(std::make_unique<Run>(charted, options, std::move(mesh))) {}
+ShapeFinisher::~ShapeFinisher() = default;
+
+bool ShapeFinisher::step() { return run_->step(); }
+double ShapeFinisher::share() const { return run_->share(); }
+const ShapeStats& ShapeFinisher::stats() const { return run_->stats(); }
+ShellMesh ShapeFinisher::take() { return run_->take(); }
+
 ShapeStats optimise_shape(const Charted& charted, const SmoothOptions& options, ShellMesh& mesh) {
-  const ShapeGround ground(charted);
-  std::vector<VertexRole> roles = vertex_roles(charted, ground.tracks, mesh);
-  settle_nodes(ground, roles, mesh);
-  ShapeStats stats;
-  stats.tangled_before = count_tangled(ground, mesh);
-  stats.refilled += mend_worst(ground, options, flat, true, mesh, roles).refilled;
-  stats.iterations = smooth_all(ground, options, mesh, roles);
-  if (stats.iterations < stalled_share * options.iterations)
-    smooth_patches(ground, options, mesh, roles);
-  stats.refilled += mend_worst(ground, options, poor, false, mesh, roles).refilled;
-  stats.tangled_after = count_tangled(ground, mesh);
-  return stats;
+  ShapeFinisher finisher(charted, options, std::move(mesh));
+  while (finisher.step()) {
+  }
+  mesh = finisher.take();
+  return finisher.stats();
 }
 
 }  // namespace lpq

@@ -2,6 +2,8 @@
 // are as good as they get. Quads that are not convex are mended, if need be by other quads there.
 #pragma once
 
+#include <memory>
+
 #include "cleanup/smooth.h"
 #include "shell/mesh_charts.h"
 
@@ -16,8 +18,27 @@ struct ShapeStats {
 /// Maximises the sum of eta with the size terms of `options` (cleanup/shape_energy.h, angles in
 /// space). Corners stay, vertices on features slide along them in their order, all others move
 /// freely on the surface. The number of tangled quads never grows, nor falls the worst eta while
-/// none is tangled. `mesh` has its nodes first, as mesh_charts() and finish_seams() leave it.
-/// Cost O(iterations #F).
+/// none is tangled. `mesh` has its nodes first, as ChartsMesher and SeamFinisher leave it. In steps
+/// of one patch, or of one descent over all. Cost O(iterations #F).
+class ShapeFinisher {
+ public:
+  /// What `charted` refers to must stay as it is until the end.
+  ShapeFinisher(const Charted& charted, const SmoothOptions& options, ShellMesh mesh);
+  ~ShapeFinisher();
+
+  /// False once all is done.
+  bool step();
+  double share() const;  // of the work, roughly
+  const ShapeStats& stats() const;
+  /// Once all is done.
+  ShellMesh take();
+
+ private:
+  class Run;
+  std::unique_ptr<Run> run_;
+};
+
+/// All steps.
 ShapeStats optimise_shape(const Charted& charted, const SmoothOptions& options, ShellMesh& mesh);
 
 }  // namespace lpq

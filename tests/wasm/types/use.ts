@@ -105,7 +105,7 @@ export async function surfaces(lpquad: Lpquad): Promise<void> {
   // @ts-expect-error the layer may not have been asked for
   session.snapshot({ charts: true }).charts.uv;
   session.snapshot({ crosses: true }).crosses?.axes satisfies Float64Array | undefined;
-  session.step(2).stage satisfies 'features' | 'field' | 'charts' | 'mesh' | 'seams' | 'done';
+  session.step(2).stage satisfies 'features' | 'field' | 'charts' | 'mesh' | 'seams' | 'shape' | 'done';
   // @ts-expect-error forwards only
   session.restore(1);
   session[Symbol.dispose]();

@@ -9,7 +9,7 @@ const nothing = { phase: 'idle', work: null, state: null, frame: {}, result: nul
 
 /** What can be seen first after each stage. @type {Record<string, SurfaceLayers>} */
 const layersAfter = {
-  features: { features: true, sizes: true }, field: { crosses: true }, charts: { charts: true }, mesh: { quads: true }, seams: { quads: true },
+  features: { features: true, sizes: true }, field: { crosses: true }, charts: { charts: true }, mesh: { quads: true }, seams: { quads: true }, shape: { quads: true },
 };
 
 const pictures = 20;         // of the cells in one chart
@@ -18,6 +18,7 @@ const longest = 500;         // for the first one of a chart
 const next = 60;             // for each of the others
 const mostWatching = 15000;  // of all pictures of a run together, drawing included, which may be slow
 const pictureEvery = 40;  // milliseconds of meshing between two looks
+const manySteps = new Set(['mesh', 'seams', 'shape']);
 
 export class SurfaceRunner {
   /** @type {SurfaceRun} */
@@ -118,7 +119,7 @@ export class SurfaceRunner {
       if (this.run.paused) await new Promise((resolve) => { this.#release = () => resolve(undefined); });
       const before = session.state, began = performance.now();
       const shown = before.stage === 'mesh' && (this.run.paused || (watching.left > 0 && watching.spent < mostWatching && this.watched()));
-      const state = await session.step(before.stage === 'mesh' && !shown ? portion : 1);
+      const state = await session.step(manySteps.has(before.stage) && !shown && !this.run.paused ? portion : 1);
       const over = state.stage !== before.stage, between = over || state.chart !== before.chart;
       portion = over || shown ? 1 : portionAfter(portion, performance.now() - began);
       if (between) [watching.left, portion] = [pictures, 1];
@@ -163,7 +164,7 @@ export const portionAfter = (portion, took) =>
 /** @type {Record<SurfaceProgress['stage'], string>} */
 const names = {
   features: 'finding sharp edges', field: 'solving the cross field', charts: 'mapping charts to the plane',
-  mesh: 'meshing charts', seams: 'remeshing over the seams', done: 'done',
+  mesh: 'meshing charts', seams: 'remeshing over the seams', shape: 'moving the vertices', done: 'done',
 };
 
 /** Where the run is, in words. @param {SurfaceRun} run */
@@ -176,10 +177,15 @@ export function stageInWords({ phase, state, error, paused }) {
   return `${names[state.stage]}${charts}${paused ? ' (paused)' : ''}`;
 }
 
+/** From where to where each stage goes. @type {Record<SurfaceProgress['stage'], [number, number]>} */
+const stretches = {
+  features: [0, 0.05], field: [0.05, 0.15], charts: [0.15, 0.2], mesh: [0.2, 0.45], seams: [0.45, 0.8], shape: [0.8, 1], done: [1, 1],
+};
+
 /** Between 0 and 1. @param {SurfaceRun} run */
 export function shareOf({ phase, state }) {
   if (phase === 'done') return 1;
   if (state === null) return 0;
-  const before = { features: 0, field: 0.05, charts: 0.15, mesh: 0.25, seams: 0.75, done: 1 }[state.stage];
-  return state.stage === 'mesh' && state.chartCount > 0 ? before + 0.5 * state.chart / state.chartCount : before;
+  const [from, to] = stretches[state.stage];
+  return from + (to - from) * state.share;
 }
