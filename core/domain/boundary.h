@@ -9,6 +9,12 @@
 
 namespace lpq {
 
+/// A target size at a point, unit frame.
+struct SizeSample {
+  Vec2 position;
+  double h = 0;
+};
+
 struct BoundaryOptions {
   bool keep = true;                // the given points are the 1D mesh
   double size = 0;                 // unit frame; edges longer than this are divided (refined mode)
@@ -17,6 +23,7 @@ struct BoundaryOptions {
   bool require_even = true;        // every part's boundary count must be even (all quads)
   bool allow_added_point = false;  // kept mode: cure an odd part with one midpoint
   Index max_nodes = 5'000'000;     // refined mode refuses more before allocating them
+  std::vector<SizeSample> sizes = {};  // edges near them are no longer than that (refined mode)
 };
 
 struct BoundaryMesh {

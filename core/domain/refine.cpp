@@ -216,7 +216,7 @@ Result<BoundaryMesh> Refinement::run() {
     total += distance(start(i), end(i));
   if (total / options_.size > options_.max_nodes) return too_many(total / options_.size);
   const BoundarySpacing spacing(domain_, segments_,
-                                {.size = options_.size, .growth = options_.growth});
+                                {.size = options_.size, .growth = options_.growth}, options_.sizes);
   whole_.assign(segments_.size(), 0);
   if (std::optional<Error> problem = count(spacing)) return *problem;
   // Every round makes another segment whole, and the given segments do not meet.

@@ -72,11 +72,13 @@ BoundarySpacing::BoundarySpacing(std::vector<Sample> samples, std::vector<double
 }
 
 BoundarySpacing::BoundarySpacing(const Domain& domain, std::span<const Segment> segments,
-                                 const SpacingOptions& options) {
+                                 const SpacingOptions& options, std::span<const SizeSample> sizes) {
   const std::vector<double> shortest = shortest_edges(domain, segments, options.size);
   std::vector<Sample> samples;
   for (std::size_t v = 0; v < shortest.size(); ++v)
     if (shortest[v] < options.size) samples.push_back({domain.points[v], shortest[v]});
+  for (const SizeSample& given : sizes)
+    if (given.h < options.size) samples.push_back({given.position, std::max(finest, given.h)});
   const Gaps gaps(domain, segments);
   add_tips(gaps, domain, options.size, samples);
   // Gaps matter only where the given edges do not ask for a finer spacing already.

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "domain/boundary.h"
 #include "domain/box_tree.h"
 #include "domain/domain.h"
 
@@ -16,12 +17,13 @@ struct SpacingOptions {
 
 /// s(x) = min(size, min over samples y of s_y + growth |x - y|): the largest function of that slope
 /// below all samples. A sample stands at the ends of every short edge, along both walls of every
-/// gap, and in every sharp corner. Gaps that are very long for their width are followed down to a
-/// `gap_floor` only, so that the number of samples stays in proportion to the domain.
+/// gap, in every sharp corner, and where the caller gives a size. Gaps that are very long for their
+/// width are followed down to a `gap_floor` only, so that the number of samples stays in proportion
+/// to the domain.
 class BoundarySpacing {
  public:
   BoundarySpacing(const Domain& domain, std::span<const Segment> segments,
-                  const SpacingOptions& options);
+                  const SpacingOptions& options, std::span<const SizeSample> sizes = {});
 
   double operator()(Vec2 p) const { return at(p, options_.size); }
   /// The same, for a caller who knows that it is at most `bound`: faster the closer that is.

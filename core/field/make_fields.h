@@ -10,11 +10,6 @@
 
 namespace lpq {
 
-struct SizeSample {
-  Vec2 position;  // unit frame
-  double h = 0;   // unit frame
-};
-
 struct FieldOptions {
   double size = 0;                            // constant target, 0 = from the boundary spacing
   std::vector<SizeSample> sizes;              // the caller's values at points (nearest-graded)

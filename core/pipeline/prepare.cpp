@@ -85,8 +85,19 @@ bool requires_even(const Options& options) {
   return !options.keep_boundary || options.allow_added_point;
 }
 
-BoundaryOptions boundary_options(const Domain& domain, const Options& options, double size,
-                                 double growth, Index most_nodes) {
+// The caller's sizes at points that make sense; what the others are is told with the fields.
+std::vector<SizeSample> sizes_at_points(const UnitFrame& frame, const UserFields& user) {
+  std::vector<SizeSample> sizes;
+  if (user.size) return sizes;  // wins over them
+  for (const UserFields::SizeAt& s : user.sizes)
+    if (is_finite(s.position) && s.h > 0 && !std::isinf(s.h))
+      sizes.push_back({frame.to_frame(s.position), frame.length_to_frame(s.h)});
+  return sizes;
+}
+
+BoundaryOptions boundary_options(const Domain& domain, const Options& options,
+                                 const UserFields& user, double size, double growth,
+                                 Index most_nodes) {
   return {.keep = options.keep_boundary,
           .size = size,
           .growth = growth,
@@ -94,7 +105,8 @@ BoundaryOptions boundary_options(const Domain& domain, const Options& options, d
           .require_even = requires_even(options),
           .allow_added_point = options.allow_added_point,
           // a quad has four edges: more nodes than that mean more elements than allowed
-          .max_nodes = std::min(most_nodes, Index{4} * options.max_elements)};
+          .max_nodes = std::min(most_nodes, Index{4} * options.max_elements),
+          .sizes = sizes_at_points(domain.frame, user)};
 }
 
 // The caller's fields, moved into the unit frame.
@@ -130,7 +142,7 @@ struct Graded {
 Result<Graded> grade(const Domain& domain, const Options& options, const UserFields& user,
                      double size, double growth, Index most_nodes = BoundaryOptions{}.max_nodes) {
   auto boundary =
-      sample_boundary(domain, boundary_options(domain, options, size, growth, most_nodes));
+      sample_boundary(domain, boundary_options(domain, options, user, size, growth, most_nodes));
   if (!boundary) return boundary.error();
   return Graded{std::move(*boundary), field_options(domain.frame, user, size, growth)};
 }

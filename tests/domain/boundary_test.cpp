@@ -136,6 +136,30 @@ TEST_CASE("equal pieces where nothing asks for grading") {
     CHECK(distance(mesh->points[e.a], mesh->points[e.b]) == Approx(first));
 }
 
+TEST_CASE("edges are as short as sizes given near them ask for") {
+  const auto domain = make_domain(one_region({rectangle(0, 0, 8, 8)}));
+  const UnitFrame& frame = domain->frame;
+  BoundaryOptions options{.keep = false, .size = frame.length_to_frame(0.5), .growth = 0.2};
+  const auto plain = sample_boundary(*domain, options);
+  // On an edge, in a corner, inside; the last two are coarser than what is there anyway.
+  const std::vector<std::pair<Vec2, double>> given{
+      {{3, 0}, 0.02}, {{8, 8}, 0.05}, {{2, 6.5}, 0.1}, {{1, 1}, 2.0}, {{4, 4}, 0.4}};
+  for (const auto& [position, h] : given)
+    options.sizes.push_back({frame.to_frame(position), frame.length_to_frame(h)});
+  const auto mesh = sample_boundary(*domain, options);
+  REQUIRE(mesh.has_value());
+  check_mesh(*domain, *mesh);
+  CHECK(mesh->edges.size() > plain->edges.size() + 30);
+  for (const Segment& e : mesh->edges) {
+    const Vec2 a = mesh->world[e.a], b = mesh->world[e.b];
+    double asked = 0.5;
+    for (const auto& [position, h] : given)
+      asked = std::min(asked, h + options.growth * distance(midpoint(a, b), position));
+    CHECK(distance(a, b) < 1.2 * asked);
+    CHECK(distance(a, b) > 0.7 * asked);
+  }
+}
+
 TEST_CASE("across a narrow gap edges are no longer than about the gap") {
   // A slit of width 0.01 between two long walls.
   const auto domain = make_domain(one_region({rectangle(0, 0, 10, 4), rectangle(1, 0.01, 9, 2)}));

@@ -134,6 +134,31 @@ TEST_CASE("the target size is met") {
   CHECK(outcome->report.size.p90 < 1.35);
 }
 
+TEST_CASE("a size given on the boundary is met there, edges of the boundary included") {
+  const DomainInput plate = domain_of({{{0, 0}, {2, 0}, {2, 1}, {0, 1}}});
+  UserFields user;
+  user.sizes = {{{1, 0}, 0.01}};
+  const auto outcome = mesh_domain(plate, {.size = 0.1}, {}, nullptr, user);
+  REQUIRE(outcome);
+  CHECK(check_output(outcome->mesh).empty());
+  double shortest = 1, at_sample = 1;
+  for (const OutputEdge& e : outcome->mesh.edges) {
+    const Vec2 a = outcome->mesh.points[e.a], b = outcome->mesh.points[e.b];
+    shortest = std::min(shortest, distance(a, b));
+    if (distance(midpoint(a, b), {1, 0}) < distance(a, b)) at_sample = distance(a, b);
+  }
+  CHECK(shortest > 0.007);
+  CHECK(at_sample < 0.014);
+  CHECK(outcome->report.size.p10 > 0.75);
+  CHECK(outcome->report.size.p90 < 1.35);
+  CHECK(outcome->report.quality.eta_mean > 0.9);
+  // Kept, the points are the caller's, whatever sizes ask for.
+  const auto kept_plate =
+      mesh_domain(square(1, 0.1), kept, {}, nullptr, {.sizes = {{{0, 0}, 0.01}}});
+  REQUIRE(kept_plate);
+  CHECK(kept_plate->mesh.fixed == 40);
+}
+
 TEST_CASE("sizes that differ by twenty keep shapes, and shapes keep sizes") {
   const DomainInput plate = domain_of({{{0, 0}, {2, 0}, {2, 1}, {0, 1}}});
   UserFields user;
