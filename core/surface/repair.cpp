@@ -100,7 +100,9 @@ class Repair {
 
   /// Triangles of different bodies get points of their own, so that nothing joins them.
   void part_bodies() {
-    if (soup_.body.empty()) return;
+    if (soup_.body.empty()) return soup_.body_names.clear();
+    const auto most = *std::max_element(soup_.body.begin(), soup_.body.end());
+    soup_.body_names.resize(std::max(soup_.body_names.size(), static_cast<std::size_t>(most) + 1));
     body_.assign(soup_.points.size(), none);
     std::map<std::pair<Index, Index>, Index> copies;
     for (std::size_t t = 0; t < soup_.triangles.size(); ++t)
