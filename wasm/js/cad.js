@@ -20,7 +20,7 @@ export const isCadFile = (name) => formatOf(name) !== undefined;
 export const occtMissing = 'Reading CAD files needs the package occt-import-js, which is not installed: ' +
   'npm install occt-import-js.';
 
-const silent = { print: () => {}, printErr: () => {} };
+const silent = { print: () => {}, printErr: () => {} };  // copied: an instance writes itself into what it is given
 
 /** An instance, from one, a promise of one, the package's function, or the installed package. */
 async function instanceOf(occt) {
@@ -28,7 +28,7 @@ async function instanceOf(occt) {
     throw new LpquadError('IO_ERROR', occtMissing, {}, { cause });
   }));
   const factory = given.default ?? given;
-  return typeof factory === 'function' ? factory(silent) : factory;
+  return typeof factory === 'function' ? factory({ ...silent }) : factory;
 }
 
 // Chords may leave the shape by a two-hundredth of a quad's side, where a size is known, and turn by 0.2 rad
