@@ -227,8 +227,8 @@ test('bodies that share a side are meshed apart, and counted', async () => {
   // One point for both is two in the mesh.
   const welded = { ...boxes, triangles: triangles.map((v) => ({ 8: 1, 11: 2, 12: 5, 15: 6 })[v] ?? v) };
   assert.deepEqual((await lpquad.meshSurface(welded, options)).report.bodies, report.bodies);
-  await rejectionOf('BAD_OPTION', lpquad.meshSurface({ ...boxes, bodies: [0] }, options));
-  await rejectionOf('BAD_OPTION', lpquad.meshSurface({ ...boxes, bodyNames: ['left'] }, options));
+  await rejectionOf('PARSE_ERROR', lpquad.meshSurface({ ...boxes, bodies: [0] }, options));
+  await rejectionOf('PARSE_ERROR', lpquad.meshSurface({ ...boxes, bodyNames: ['left'] }, options));
 });
 
 /** Cells of one chart: pieces turn counter-clockwise, and as points in space they are as many. */

@@ -141,6 +141,42 @@ test('a run is cancelled at once, and begun again', async () => {
   await page.context().close();
 });
 
+test('progress moves through seams and shape, and a run is held there and stepped', async () => {
+  const page = await openSpace();
+  await page.evaluate(() => {
+    const { runner, store } = globalThis.playground;
+    globalThis.seen = [];
+    runner.subscribe(({ phase, state, paused }) => {
+      if (phase !== 'running' || state === null) return;
+      globalThis.seen.push({ stage: state.stage, share: state.share, bar: document.querySelector('progress').value });
+      const { seams = false, shape = false } = globalThis.held ??= {};
+      if (!paused && ((state.stage === 'seams' && !seams) || (state.stage === 'shape' && !shape))) {
+        globalThis.held[state.stage] = true;
+        runner.pause();
+      }
+    });
+    store.change('Size', { options: { size: 0.1 } });
+  });
+  for (const [stage, words] of [['seams', /seams \(paused\)/], ['shape', /vertices \(paused\)/]]) {
+    await page.locator('.stage-name', { hasText: words }).waitFor({ timeout: patience });
+    const tick = () => page.evaluate(() => globalThis.playground.runner.run.state.tick);
+    const before = await tick();
+    await page.keyboard.press('.');
+    await page.waitForFunction((old) => globalThis.playground.runner.run.state.tick === old + 1, before, { timeout: patience });
+    assert.equal(await page.evaluate(() => globalThis.playground.runner.run.state.stage), stage);
+    await page.keyboard.press('Space');
+  }
+  await over(page);
+  const seen = await page.evaluate(() => globalThis.seen);
+  for (const stage of ['seams', 'shape']) {
+    const shares = seen.filter((state) => state.stage === stage).map(({ share }) => share);
+    assert.ok(new Set(shares).size > 2, `${stage}: ${shares}`);
+  }
+  assert.ok(seen.every(({ bar }, i) => i === 0 || bar >= seen[i - 1].bar));
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
 test('the cells of a chart are seen step by step, in both views', async () => {
   const page = await openSpace();
   await page.evaluate(() => globalThis.playground.store.change('Size', { options: { size: 0.2 } }));
