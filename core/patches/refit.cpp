@@ -6,6 +6,7 @@
 
 #include "mesh/quality.h"
 #include "numerics/elementary.h"
+#include "patches/likeness.h"
 
 namespace lpq {
 namespace {
@@ -90,8 +91,12 @@ Refit Refitter::refit(const RefitRule& rule) {
     ++tried_;
     const Filling filling = fill(shape, plan);
     if (!is_count_kept(wanted, before, static_cast<double>(filling.faces.size()))) continue;
-    Trial trial = around.place(filling);
     const double gain = outline_.weight - outline_.rim_weight - plan.irregular;
+    // What is there already: annealing would draw and accept it in every second trial.
+    if (gain == 0 && filling.faces.size() == patch_.faces().size() &&
+        is_like_patch(filling, outline_, mesh_))
+      continue;
+    Trial trial = around.place(filling);
     const double even = now + options_.credit * gain;
     if (!around.relax(trial, {.energy = options_.energy, .bound = even + best_change})) continue;
     const double change = trial.energy - even;

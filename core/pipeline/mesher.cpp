@@ -247,7 +247,7 @@ void Mesher::match() {
 int Mesher::smoothing() const {
   if (options_.smoothing >= 0) return options_.smoothing;
   if (!for_shape()) return paper_smoothing;
-  return options_.effort == Effort::high ? long_smoothing : best_smoothing;
+  return annealing_ ? long_smoothing : best_smoothing;
 }
 
 void Mesher::clean() {
@@ -261,6 +261,7 @@ void Mesher::clean() {
     cleanup.topology = attempt_ > 0;
     cleanup.smoothing_iterations = smoothing();
   }
+  annealing_ = gave_up_ = false;
   CleanupResult result = clean_up(std::move(quads_), *fields_, cleanup);
   quads_ = std::move(result.mesh);
   if (trace_) trace_->quads.push_back({"cleaned", quads_});
@@ -277,11 +278,21 @@ void Mesher::remesh_patches() {
   if (!more || trace_) quads_ = patches_->mesh();  // who looks on sees the patches come
   if (more) return;
   // Where patches do not help, a block of smoothing does what can be done.
-  smoothed_ = patches_->gave_up() ? std::max(0, smoothing() - smoothing_block) : 0;
+  gave_up_ = patches_->gave_up();
+  smoothed_ = gave_up_ ? std::max(0, smoothing() - smoothing_block) : 0;
   patches_.reset();
-  if (trace_) trace_->quads.push_back({"patched", quads_});
-  report_.chain += " + patches";
+  if (trace_) trace_->quads.push_back({annealing_ ? "annealed" : "patched", quads_});
+  report_.chain += annealing_ ? " + annealing" : " + patches";
   stage_ = Stage::smooth;
+}
+
+// High effort goes on from the mesh that normal effort ends with, and must end with a better one.
+bool Mesher::begin_annealing() {
+  if (!for_shape() || options_.effort == Effort::normal || annealing_ || gave_up_) return false;
+  annealing_ = true;
+  patches_.emplace(quads_, *fields_, annealing_options(options_));
+  stage_ = Stage::patch;
+  return true;
 }
 
 void Mesher::smooth() {
@@ -323,10 +334,15 @@ Result<Stage> Mesher::check() {
     for (const Warning& warning : tell_triangles(output_))
       candidate.report.warnings.push_back(warning);
   keep_better(std::move(candidate));
+  if (begin_annealing()) return stage_;
   if (attempt_ + 1 < attempts_.size() && attempts_[attempt_ + 1].alternative) {
     ++attempt_;
     return stage_ = Stage::seeds;
   }
+  return take_kept();
+}
+
+Stage Mesher::take_kept() {
   quads_ = kept_->quads;
   output_ = kept_->output;
   const auto times = report_.times;
@@ -351,12 +367,7 @@ void Mesher::keep_better(Candidate candidate) {
 }
 
 Result<Stage> Mesher::next_attempt(const Error& failure) {
-  if (kept_) {  // an alternative failed; what was kept is the result
-    quads_ = kept_->quads;
-    output_ = kept_->output;
-    report_ = kept_->report;
-    return stage_ = Stage::done;
-  }
+  if (kept_) return take_kept();  // an alternative failed
   Warning warning = failure;
   warning.message = "The chain '" + report_.chain + "' did not pass: " + failure.message;
   report_.warnings.push_back(warning);

@@ -1,5 +1,5 @@
 // The order of the stages, and nothing else: fields, seeds, L_p, matching, clean-up,
-// patches, smoothing, final check.
+// patches, smoothing, final check; with high effort the last three once more, annealing the mesh.
 // A Mesher is a copyable value that advances in small steps; a batch run is a loop around it.
 #pragma once
 
@@ -77,6 +77,7 @@ class Mesher {
   void match();
   void clean();
   void remesh_patches();
+  bool begin_annealing();
   void smooth();
   bool for_shape() const { return options_.method == Method::best; }
   int smoothing() const;
@@ -84,6 +85,7 @@ class Mesher {
   Index triangles_allowed() const;
   Result<Stage> next_attempt(const Error& failure);
   void keep_better(Candidate candidate);
+  Stage take_kept();
 
   std::shared_ptr<const Preparation> prepared_;
   std::shared_ptr<const Fields> fields_;  // of the current attempt
@@ -96,8 +98,10 @@ class Mesher {
   TriMesh triangles_;
   QuadMesh quads_;
   std::optional<PatchRemesher> patches_;
-  int smoothed_ = 0;          // iterations so far
   Index triangles_left_ = 0;  // by the matching, of an attempt
+  bool annealing_ = false;    // the second round of patches, smoothing and check
+  bool gave_up_ = false;      // patches hardly ever helped in the first
+  int smoothed_ = 0;          // iterations so far
   OutputMesh output_;
   Report report_;
   std::optional<Candidate> kept_;

@@ -12,6 +12,8 @@ namespace lpq {
 
 SmoothOptions shape_smoothing(const Options& options);
 PatchOptions patch_options(const Options& options);
+/// What high effort adds, to a mesh that has been through those.
+PatchOptions annealing_options(const Options& options);
 /// Clean-up before patches: topology, and a few steps of smoothing.
 CleanupOptions cleanup_before_patches(const Options& options);
 

@@ -29,11 +29,10 @@ double merit(const QuadMesh& mesh, const Fields& fields, const PatchOptions& opt
 }
 
 /// Chance first: of what high effort spends, a quarter in normal runs.
-PatchOptions search_options(Options options, std::uint64_t seed) {
-  const bool brief = options.effort == Effort::normal;
-  options.effort = Effort::high;
-  PatchOptions patches = patch_options(options);
-  if (brief) patches.passes = {{200, 0.8, 20}, {200, 0.4, 20}, {200, 0.2, 20}, {60}, {200}};
+PatchOptions search_options(const Options& options, std::uint64_t seed) {
+  const double trials = options.effort == Effort::high ? 80 : 20;
+  PatchOptions patches = annealing_options(options);
+  patches.passes = {{200, 0.8, trials}, {200, 0.4, trials}, {200, 0.2, trials}, {60}, {200}};
   patches.seed = seed;
   return patches;
 }
@@ -54,7 +53,8 @@ QuadMesh remeshed(QuadMesh quads, const Fields& fields, const PatchOptions& patc
 std::optional<QuadMesh> rework(const Window& window, Rework kind, const Options& options,
                                std::uint64_t seed) {
   const bool is_seam = kind == Rework::seam;
-  const PatchOptions patches = is_seam ? patch_options(options) : search_options(options, seed);
+  const bool in_order = is_seam && options.effort == Effort::normal;
+  const PatchOptions patches = in_order ? patch_options(options) : search_options(options, seed);
   const Index bad_before = quad_quality(window.quads).nonconvex;
   QuadMesh quads = window.quads;
   if (is_seam || bad_before > 0)
