@@ -77,7 +77,7 @@ SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> s
   features.edges = surface_edges(mesh.triangles, mesh.vertex_count());
   features.kind.assign(features.edges.ends.size(), FeatureKind::smooth);
   mark_hard_edges(mesh, options, marks, features);
-  mark_sharp_edges(mesh, options, features);
+  mark_sharp_edges(mesh, size, options, features);
   unmark_smooth_edges(marks, features);
   drop_short_chains(mesh, size, options, features);
   number_faces(mesh, features);

@@ -48,8 +48,9 @@ struct SurfaceFeatures {
 /// them), group borders if asked, sharp edges by angle: chains start where the angle is reached and
 /// go on, straight ahead, down to its part `hysteresis` (as edges in pictures [C86]); what
 /// is too short for the mesh size and touches nothing hard is dropped (but never a plain closed
-/// line of eight edges or more: the rim of a hole). Triangles so flat that their normals are noise
-/// take the normal from across their longest edge. Corners: where other than two features meet,
+/// line of eight edges or more: the rim of a hole). Triangles so flat that their normals are noise,
+/// and needles that are nothing beside the mesh, take their normals from their neighbours
+/// (normals.h). Corners: where other than two features meet,
 /// where a curve turns (both at the vertex and between points half a mesh size away), in the middle
 /// of bends that are smaller than the mesh (see bends.h), where the
 /// faces along a curve change, and where sheets meet in a point only. Faces are connected across

@@ -1,6 +1,7 @@
 #include "surface/normals.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lpq {
 namespace {
@@ -10,33 +11,88 @@ namespace {
 constexpr double noise_height = 1e-7;  // of the diagonal
 constexpr double noise_aspect = 1e-4;  // height over longest edge
 constexpr double worst_aspect = 1e-9;  // not trusted at any size
+// What is as low as this beside the mesh is no face of its own, whichever way it points.
+constexpr double needle_height = 2e-3;  // of the mesh size
+constexpr double needle_aspect = 1e-2;
 
-struct Shape {
-  Vec3 area;       // twice the area along the normal
-  double longest;  // edge, squared
-  Index across;    // half-edge of it
-};
+class NormalFinder {
+ public:
+  NormalFinder(const SurfaceMesh& mesh, std::span<const double> size)
+      : mesh_(mesh),
+        size_(size),
+        diagonal_(bounding_diagonal(mesh.points)),
+        normals_(mesh.triangles.size()) {}
 
-Shape shape_of(const SurfaceMesh& mesh, Index t) {
-  const auto& [a, b, c] = mesh.triangles[t];
-  Shape shape{cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]), -1, none};
-  for (Index e = 3 * t; e < 3 * t + 3; ++e) {
-    const double squared =
-        squared_length(mesh.points[mesh.target(e)] - mesh.points[mesh.origin(e)]);
-    if (squared <= shape.longest) continue;
-    shape.longest = squared;
-    shape.across = e;
+  std::vector<Vec3> run() {
+    std::vector<Index> noisy;
+    for (Index t = 0; t < mesh_.triangle_count(); ++t) {
+      const Vec3 area = doubled_area(t);
+      if (is_noise(t, squared_length(area))) {
+        noisy.push_back(t);
+      } else {
+        normals_[t] = (1 / length(area)) * area;
+      }
+    }
+    // Normals spread through heaps of noisy triangles, a layer at a time.
+    while (spread(noisy, false) || spread(noisy, true)) {
+    }
+    return std::move(normals_);
   }
-  return shape;
-}
 
-bool is_noise(const Shape& shape, double diagonal) {
-  const double area = squared_length(shape.area), longest = shape.longest;
-  const auto lower_than = [&](double height) { return area <= height * height * longest; };
-  const double edge = std::sqrt(longest);
-  return lower_than(worst_aspect * edge) ||
-         (lower_than(noise_height * diagonal) && lower_than(noise_aspect * edge));
-}
+ private:
+  Vec3 doubled_area(Index t) const {
+    const auto& [a, b, c] = mesh_.triangles[t];
+    return cross(mesh_.points[b] - mesh_.points[a], mesh_.points[c] - mesh_.points[a]);
+  }
+
+  double squared_edge(Index e) const {
+    return squared_length(mesh_.points[mesh_.target(e)] - mesh_.points[mesh_.origin(e)]);
+  }
+
+  bool is_noise(Index t, double area) const {
+    const double longest =
+        std::max({squared_edge(3 * t), squared_edge(3 * t + 1), squared_edge(3 * t + 2)});
+    const auto lower_than = [&](double height) { return area <= height * height * longest; };
+    const double edge = std::sqrt(longest);
+    if (lower_than(worst_aspect * edge)) return true;
+    if (lower_than(noise_height * diagonal_) && lower_than(noise_aspect * edge)) return true;
+    return !size_.empty() && lower_than(needle_aspect * edge) &&
+           lower_than(needle_height * size_[mesh_.triangles[t][0]]);
+  }
+
+  /// Of the same group: between two faces of a part the surface may turn.
+  bool has_normal_behind(Index e) const {
+    if (mesh_.twins[e] == none) return false;
+    const Index other = triangle_of(mesh_.twins[e]);
+    return mesh_.group[other] == mesh_.group[triangle_of(e)] && !(normals_[other] == Vec3{});
+  }
+
+  /// The longest half-edge, of all or of those with a normal behind them.
+  Index longest_edge(Index t, bool with_normal) const {
+    Index best = none;
+    for (Index e = 3 * t; e < 3 * t + 3; ++e)
+      if ((!with_normal || has_normal_behind(e)) &&
+          (best == none || squared_edge(e) > squared_edge(best)))
+        best = e;
+    return best;
+  }
+
+  bool spread(std::vector<Index>& noisy, bool any_edge) {
+    const std::size_t before = noisy.size();
+    std::erase_if(noisy, [&](Index t) {
+      const Index e = longest_edge(t, any_edge);
+      if (e == none || !has_normal_behind(e)) return false;
+      normals_[t] = normals_[triangle_of(mesh_.twins[e])];
+      return true;
+    });
+    return noisy.size() != before;
+  }
+
+  const SurfaceMesh& mesh_;
+  std::span<const double> size_;
+  double diagonal_;
+  std::vector<Vec3> normals_;
+};
 
 }  // namespace
 
@@ -50,29 +106,8 @@ double bounding_diagonal(const std::vector<Vec3>& points) {
   return length(high - low);
 }
 
-std::vector<Vec3> triangle_normals(const SurfaceMesh& mesh) {
-  const double diagonal = bounding_diagonal(mesh.points);
-  std::vector<Vec3> normals(mesh.triangles.size());
-  std::vector<Index> noisy;
-  for (Index t = 0; t < mesh.triangle_count(); ++t) {
-    const Shape shape = shape_of(mesh, t);
-    if (is_noise(shape, diagonal)) {
-      noisy.push_back(t);
-    } else {
-      normals[t] = (1 / length(shape.area)) * shape.area;
-    }
-  }
-  // Normals spread through heaps of noisy triangles, a layer at a time.
-  for (std::size_t before = 0; before != noisy.size();) {
-    before = noisy.size();
-    std::erase_if(noisy, [&](Index t) {
-      const Index twin = mesh.twins[shape_of(mesh, t).across];
-      if (twin == none) return false;
-      normals[t] = normals[triangle_of(twin)];
-      return !(normals[t] == Vec3{});
-    });
-  }
-  return normals;
+std::vector<Vec3> triangle_normals(const SurfaceMesh& mesh, std::span<const double> size) {
+  return NormalFinder(mesh, size).run();
 }
 
 }  // namespace lpq

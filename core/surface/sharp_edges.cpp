@@ -71,9 +71,9 @@ class Extender {
 
 double cos_degrees(double angle) { return sin_cos(angle * (pi / 180)).cos; }
 
-void mark_sharp_edges(const SurfaceMesh& mesh, const FeatureOptions& options,
-                      SurfaceFeatures& features) {
-  const std::vector<Vec3> normals = triangle_normals(mesh);
+void mark_sharp_edges(const SurfaceMesh& mesh, std::span<const double> size,
+                      const FeatureOptions& options, SurfaceFeatures& features) {
+  const std::vector<Vec3> normals = triangle_normals(mesh, size);
   constexpr double nothing_is = -2;  // rounding takes cosines of folds below -1
   const double sharp = options.angle < 180 ? cos_degrees(options.angle) : nothing_is;
   const double carries_on = cos_degrees(options.angle * options.hysteresis);

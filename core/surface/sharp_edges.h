@@ -6,8 +6,8 @@
 namespace lpq {
 
 /// Sets kind to sharp on edges that are smooth so far, by angle with hysteresis.
-void mark_sharp_edges(const SurfaceMesh& mesh, const FeatureOptions& options,
-                      SurfaceFeatures& features);
+void mark_sharp_edges(const SurfaceMesh& mesh, std::span<const double> size,
+                      const FeatureOptions& options, SurfaceFeatures& features);
 
 /// cos of an angle in degrees.
 double cos_degrees(double angle);

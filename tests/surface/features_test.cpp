@@ -166,6 +166,21 @@ TEST_CASE("sheets that meet: walls are features, points where only cones meet ar
   CHECK(pair.corner[0] == 1);
 }
 
+TEST_CASE("needles lower than anything the mesh shows make no face of their own") {
+  // A vertex pulled over the border of a sheet by 1/500: a needle there looks down.
+  SurfaceSoup soup = sheet_soup(4, [](int, int) { return 0; });
+  const auto apex = static_cast<Index>(soup.points.size());
+  soup.points.push_back({1.5, -2e-3, 1e-3});
+  std::erase_if(soup.triangles, [](const Tri& t) { return t == Tri{1, 2, 7}; });
+  for (const Tri& t : {Tri{1, 2, apex}, Tri{2, 7, apex}, Tri{7, 1, apex}})
+    soup.triangles.push_back(t);
+  const SurfaceMesh mesh = mesh_of(soup);
+  CHECK(count_of(features_of(mesh, 2), FeatureKind::sharp) == 0);
+  for (const Vec3 n : triangle_normals(mesh, std::vector<double>(mesh.points.size(), 2)))
+    CHECK(n.z > 0.9);
+  CHECK(count_of(features_of(mesh, 0.01), FeatureKind::sharp) > 0);  // a fine mesh shows it
+}
+
 TEST_CASE("needles in a plane do not make it sharp") {
   // A plane with a vertex so near an edge that rounding decides where the triangle looks.
   SurfaceSoup soup = sheet_soup(4, [](int, int) { return 0; });

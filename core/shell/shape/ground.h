@@ -21,7 +21,7 @@ class ShapeGround {
         size_(charted.size),
         walker(charted.mesh, feature_),
         tracks(charted.mesh, charted.features, charted.size),
-        outside(charted.mesh, charted.features),
+        outside(charted.mesh, charted.features, charted.size),
         largest_size(*std::max_element(charted.size.begin(), charted.size.end())) {}
   ShapeGround(const ShapeGround&) = delete;
 

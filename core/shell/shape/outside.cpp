@@ -39,10 +39,11 @@ double least_inward(const SurfaceMesh& mesh, const SurfacePlace& place, Vec3 way
 
 }  // namespace
 
-Outside::Outside(const SurfaceMesh& surface, const SurfaceFeatures& features)
+Outside::Outside(const SurfaceMesh& surface, const SurfaceFeatures& features,
+                 std::span<const double> size)
     : surface_(surface),
       features_(features),
-      normal_(triangle_normals(surface)),
+      normal_(triangle_normals(surface, size)),
       triangles_(triangles_at_vertices(surface)) {}
 
 /// One for a place inside a triangle, those beside an edge, those around a vertex.

@@ -12,7 +12,8 @@ namespace lpq {
 
 class Outside {
  public:
-  Outside(const SurfaceMesh& surface, const SurfaceFeatures& features);
+  Outside(const SurfaceMesh& surface, const SurfaceFeatures& features,
+          std::span<const double> size);
 
   /// Of length one: the mean of the surface's normals at the corners of face f. Zero where these
   /// cancel.
