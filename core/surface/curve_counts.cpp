@@ -48,6 +48,21 @@ std::vector<Index> fewest_edges(const SurfaceCurves& curves, std::span<const dou
   return fewest;
 }
 
+/// Of a small face with three sides four edges would make one quad, flat at a node between corners:
+/// it gets two edges on each.
+void divide_small_triangles(const SurfaceCurves& curves, Index face_count,
+                            std::span<const double> steps, std::vector<Index>& fewest) {
+  std::vector<std::vector<Index>> around(static_cast<std::size_t>(face_count));
+  for (Index c = 0; c < curves.count(); ++c)
+    for (const Index face : curves.faces.row(c)) around[face].push_back(c);
+  for (const auto& sides : around) {
+    Index most = 0;
+    for (const Index c : sides) most = std::max({most, fewest[c], rounded(steps[c])});
+    if (sides.size() != 3 || most > 2) continue;
+    for (const Index c : sides) fewest[c] = std::max<Index>(fewest[c], 2);
+  }
+}
+
 Index wanted_count(double steps, bool closed) {
   return closed ? 2 * rounded(0.5 * steps) : rounded(steps);
 }
@@ -202,7 +217,8 @@ std::vector<Index> face_counts(const SurfaceCurves& curves, Index face_count,
 
 std::vector<Index> curve_counts(const SurfaceCurves& curves, Index face_count,
                                 std::span<const double> steps, const CountSums& sums) {
-  const std::vector<Index> fewest = fewest_edges(curves, steps);
+  std::vector<Index> fewest = fewest_edges(curves, steps);
+  divide_small_triangles(curves, face_count, steps, fewest);
   std::vector<Index> counts(fewest.size());
   std::vector<CountWish> wishes(fewest.size());
   for (Index c = 0; c < curves.count(); ++c) {
