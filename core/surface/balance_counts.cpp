@@ -11,8 +11,9 @@ namespace {
 
 // An edge by which opposite sides differ costs a pair of irregular vertices.
 constexpr double price_of_edge = 0.3;
-// An odd sum cannot stay: it will be made even at the expense of some curve.
-constexpr double price_of_odd = 2;
+// An odd sum cannot stay: it will be made even at the expense of some curve. At first it may, so
+// that two curves get one edge more each rather than one of them two.
+constexpr double price_of_odd = 2, price_at_first = 0.2;
 constexpr double least_gain = 1e-9;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -25,7 +26,7 @@ double misfit(const CountWish& wish, Index count) {
 class Balancer {
  public:
   Balancer(const CountSums& sums, std::span<const CountWish> wishes, std::vector<Index>& counts)
-      : sums_(sums), wishes_(wishes), counts_(counts), value_(sums.terms.rows(), 0) {
+      : sums_(sums), wishes_(wishes), counts_(counts), value_(sums.constant) {
     struct Entry {
       Index curve, sum, factor;
     };
@@ -47,17 +48,22 @@ class Balancer {
   }
 
   void run() {
-    for (const Index unit : {2, 1}) {
-      unit_ = unit;
-      for (bool changed = true; changed;) {
-        changed = false;
-        for (Index s = 0; s < static_cast<Index>(value_.size()); ++s)
-          while (off(s) >= unit && improve(s)) changed = true;
-      }
-    }
+    run(1, price_at_first);
+    run(2, price_of_odd);
+    run(1, price_of_odd);
   }
 
  private:
+  void run(Index unit, double price) {
+    unit_ = unit;
+    price_of_odd_ = price;
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (Index s = 0; s < static_cast<Index>(value_.size()); ++s)
+        while (off(s) >= unit && improve(s)) changed = true;
+    }
+  }
+
   struct SumOf {
     Index sum, factor;
   };
@@ -82,7 +88,7 @@ class Balancer {
   }
   double price(Index s, Index value) const {
     const Index by = off(s, value);
-    return (sums_.only_parity[s] ? 0 : price_of_edge * by) + price_of_odd * (by % 2);
+    return (sums_.only_parity[s] ? 0 : price_of_edge * by) + price_of_odd_ * (by % 2);
   }
 
   static Index state_of(Index sum, Index excess) { return 2 * sum + (excess > 0); }
@@ -91,7 +97,7 @@ class Balancer {
     const Index start = state_of(s, value_[s]);
     const double gain =
         price(s, value_[s]) - price(s, value_[s] > 0 ? value_[s] - unit_ : value_[s] + unit_);
-    find_chains(start, gain + (price_of_edge + price_of_odd) * unit_);
+    find_chains(start, gain + (price_of_edge + price_of_odd_) * unit_);
     const bool found = end_.curve != none && apply();
     for (const Index state : touched_) best_[state] = {};
     touched_.clear();
@@ -106,7 +112,7 @@ class Balancer {
       const auto [cost, state] = ahead.top();
       ahead.pop();
       // An end may earn back what its own sum cost.
-      if (cost - (price_of_edge + price_of_odd) * unit_ >= end_.cost || cost > limit) return;
+      if (cost - (price_of_edge + price_of_odd_) * unit_ >= end_.cost || cost > limit) return;
       if (best_[state].settled) continue;
       best_[state].settled = true;
       leave(state, ahead);
@@ -195,6 +201,7 @@ class Balancer {
   std::vector<Index> touched_;  // states
   Reached end_;
   Index unit_ = 1;
+  double price_of_odd_ = price_of_odd;
 };
 
 }  // namespace

@@ -195,7 +195,7 @@ class EvenMaker {
 /// Sides whose lengths in steps differ too much want irregular vertices between them.
 CountSums possible_sums(CountSums sums, std::span<const double> steps) {
   for (Index s = 0; s < sums.terms.rows(); ++s) {
-    double difference = 0, total = 0;
+    double difference = sums.constant[s], total = std::abs(difference);
     for (const CountTerm& term : sums.terms.row(s)) {
       difference += term.factor * steps[term.curve];
       total += std::abs(term.factor) * steps[term.curve];
@@ -222,9 +222,9 @@ std::vector<Index> curve_counts(const SurfaceCurves& curves, Index face_count,
   std::vector<Index> counts(fewest.size());
   std::vector<CountWish> wishes(fewest.size());
   for (Index c = 0; c < curves.count(); ++c) {
-    const bool closed = is_closed(curves, c);
-    counts[c] = std::max(fewest[c], wanted_count(steps[c], closed));
-    wishes[c] = {steps[c], fewest[c], closed ? 2 : 1};
+    const bool closed = is_closed(curves, c), bent = sums.bent[c] > 0;
+    counts[c] = std::max(fewest[c], bent ? sums.bent[c] : wanted_count(steps[c], closed));
+    wishes[c] = {bent ? counts[c] : steps[c], fewest[c], closed ? 2 : 1};
   }
   balance_counts(possible_sums(sums, steps), wishes, counts);
   EvenMaker(curves, face_count, steps, fewest, counts).run();

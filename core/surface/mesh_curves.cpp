@@ -144,8 +144,8 @@ Result<CurveMesh> mesh_profiles(const SurfaceMesh& mesh, const SurfaceFeatures& 
   if (!profiles) return profiles.error();
   std::vector<double> steps;
   for (const Profile& profile : *profiles) steps.push_back(profile.steps());
-  const std::vector<Index> counts =
-      curve_counts(curves, features.face_count, steps, side_balances(mesh, features, curves));
+  const std::vector<Index> counts = curve_counts(curves, features.face_count, steps,
+                                                 side_balances(mesh, features, curves, steps));
   return NodeMaker(mesh, features, curves).run(*profiles, counts);
 }
 

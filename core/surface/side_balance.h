@@ -1,6 +1,7 @@
 // Where opposite sides of a face want the same number of edges.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "surface/curves.h"
@@ -14,15 +15,19 @@ struct CountTerm {
 
 struct CountSums {
   Csr<CountTerm> terms;           // #sums
+  std::vector<Index> constant;    // #sums  added to the terms
   std::vector<char> only_parity;  // #sums  wanted: even; of the others: zero
+  std::vector<Index> bent;        // #C  count of a curve that turns on its way; 0 of others
 };
 
 /// Going round a border of a face and turning by right angles (rounded) at its corners, what runs
 /// one way must come back: a border that turns four times in all has two sums, one for each of its
 /// two directions, as a mesh without irregular vertices has them [WWBB96: submapping]; the two
-/// borders of a ring share one. Borders without such sums only ask for an even number, once for
-/// each face. Cost O(#T).
+/// borders of a ring share one, whatever holes are between them. A bend that is small beside the
+/// mesh turns like a corner: on either side of it the curve gets whole edges, a constant in sums.
+/// Borders without such sums only ask for an even number, once for each face. `steps`: int ds/h of
+/// each curve, #C. Cost O(#T) and the border edges within a few sizes of each.
 CountSums side_balances(const SurfaceMesh& mesh, const SurfaceFeatures& features,
-                        const SurfaceCurves& curves);
+                        const SurfaceCurves& curves, std::span<const double> steps);
 
 }  // namespace lpq
