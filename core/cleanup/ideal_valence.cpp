@@ -1,10 +1,17 @@
 #include "cleanup/ideal_valence.h"
 
+#include <algorithm>
+
 #include "base/check.h"
 #include "numerics/elementary.h"
 
 namespace lpq {
 namespace {
+
+// Hollow bends: three vertices in a row that turn away by so much each, in radians. Two quads at
+// the middle one have at most 122 degrees then, three at least 68.
+constexpr double least_bend = 25 * pi / 180, most_bend = 64 * pi / 180;
+constexpr double weight_of_other = 0.5;
 
 // Faces of v from f on, counter-clockwise until a border edge or the start again.
 Index count_sector(const QuadTopology& mesh, Index v, Index f) {
@@ -64,9 +71,17 @@ double irregularity(Index valence, Index ideal, bool fixed) {
   return (far == 1 ? 1.0 : 1.5 * far - 0.5) + (valence < 3 ? 1.0 : 0.0);
 }
 
+double IdealValence::Count::weight(Index count) const {
+  const double plain = irregularity(count, ideal, border);
+  if (!either) return plain;
+  return std::min(plain, irregularity(count, 5 - ideal, border) + weight_of_other);
+}
+
 IdealValence::IdealValence(const QuadTopology& mesh) {
+  std::vector<double> angles;  // where there is one sector
   for (Index v = 0; v < mesh.vertex_count() && mesh.is_fixed(v); ++v) {
     bool bordered = false;
+    angles.push_back(0);
     for (const Index f : mesh.faces_of(v)) {
       const Index first = next_corner(mesh.face(f), corner_of(mesh.face(f), v));
       if (!mesh.is_wall(v, first) && mesh.face_with_edge(first, v) != none) continue;
@@ -74,10 +89,24 @@ IdealValence::IdealValence(const QuadTopology& mesh) {
       const double angle =
           first == last ? 2 * pi : sector_angle(mesh.point(v), mesh.point(first), mesh.point(last));
       sectors_.values.push_back({first, quads_for_angle(angle)});
+      angles.back() = bordered ? 0 : angle;
       bordered = true;
     }
     if (!bordered) sectors_.values.push_back({});
     sectors_.end_row();
+  }
+  find_hollow_bends(mesh, angles);
+}
+
+void IdealValence::find_hollow_bends(const QuadTopology& mesh, std::span<const double> angle) {
+  const auto bends = [&](Index v) {
+    return v < sectors_.rows() && angle[v] >= pi + least_bend && angle[v] <= pi + most_bend;
+  };
+  for (Index v = 0; v < sectors_.rows(); ++v) {
+    if (!bends(v)) continue;
+    Sector& sector = sectors_.values[sectors_.offsets[v]];
+    const Index before = sector_end(mesh, v, mesh.face_with_edge(v, sector.first));
+    sector.either = bends(sector.first) && bends(before);
   }
 }
 
@@ -86,7 +115,9 @@ double IdealValence::weight(const QuadTopology& mesh, Index v) const {
   if (!mesh.is_fixed(v)) return valence == 0 ? 0 : irregularity(valence, 4, false);
   if (mesh.outside(v) != none) return irregularity(valence + mesh.outside(v), 4, false);
   const auto sectors = sectors_.row(v);
-  if (sectors.size() == 1) return irregularity(valence, sectors[0].ideal, sectors[0].first != none);
+  if (sectors.size() == 1)
+    return Count{valence, sectors[0].ideal, sectors[0].first != none, sectors[0].either}.weight(
+        valence);
   double sum = 0;
   for (const Sector& sector : sectors) {
     const Index f = mesh.face_with_edge(v, sector.first);
@@ -106,7 +137,7 @@ IdealValence::Count IdealValence::sector_count(const QuadTopology& mesh, Index v
   if (!mesh.is_fixed(v)) return {mesh.valence(v), 4};
   if (mesh.outside(v) != none) return {mesh.valence(v) + mesh.outside(v), 4};
   const auto sectors = sectors_.row(v);
-  if (sectors.size() == 1) return {mesh.valence(v), sectors[0].ideal, true};
+  if (sectors.size() == 1) return {mesh.valence(v), sectors[0].ideal, true, sectors[0].either};
   const Index first = sector_begin(mesh, v, f);
   for (const Sector& sector : sectors)
     if (sector.first == first)

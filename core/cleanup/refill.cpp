@@ -98,9 +98,8 @@ void Refiller::weigh_loop(std::span<const Index> faces) {
         some = f;
       }
     const IdealValence::Count now = ideal_.sector_count(mesh_, v, some);
-    old_weight_ += irregularity(now.quads, now.ideal, now.border);
-    for (Index c = 0; c < largest_loop; ++c)
-      weight_[i][c] = irregularity(now.quads - inside + c, now.ideal, now.border);
+    old_weight_ += now.weight(now.quads);
+    for (Index c = 0; c < largest_loop; ++c) weight_[i][c] = now.weight(now.quads - inside + c);
   }
   std::vector<Index> seen;
   for (const Index f : faces)

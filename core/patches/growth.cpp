@@ -161,8 +161,8 @@ bool PatchGrowth::outline(PatchOutline& result) const {
     const IdealValence::Count now = ideal_.sector_count(mesh_, v, face[i]);
     const Index outside = now.quads - count_[v], want = now.ideal - outside;
     if (want >= 3) return false;
-    result.weight += irregularity(now.quads, now.ideal, now.border);
-    if (want < 1) result.rim_weight += irregularity(outside + 1, now.ideal, now.border);
+    result.weight += now.weight(now.quads);
+    if (want < 1) result.rim_weight += now.weight(outside + 1);
     if (want <= 1) corners.push_back(static_cast<Index>(i));
   }
   if (corners.empty()) return false;

@@ -11,6 +11,8 @@ namespace {
 
 // An edge by which opposite sides differ costs a pair of irregular vertices.
 constexpr double price_of_edge = 0.3;
+// In a narrow ring there is no room for them.
+constexpr double price_in_ring = 0.75;
 // An odd sum cannot stay: it will be made even at the expense of some curve. At first it may, so
 // that two curves get one edge more each rather than one of them two.
 constexpr double price_of_odd = 2, price_at_first = 0.2;
@@ -88,7 +90,10 @@ class Balancer {
   }
   double price(Index s, Index value) const {
     const Index by = off(s, value);
-    return (sums_.only_parity[s] ? 0 : price_of_edge * by) + price_of_odd_ * (by % 2);
+    const double each = sums_.only_parity[s]       ? 0
+                        : sums_.between_circles[s] ? price_in_ring
+                                                   : price_of_edge;
+    return each * by + price_of_odd_ * (by % 2);
   }
 
   static Index state_of(Index sum, Index excess) { return 2 * sum + (excess > 0); }
@@ -97,7 +102,7 @@ class Balancer {
     const Index start = state_of(s, value_[s]);
     const double gain =
         price(s, value_[s]) - price(s, value_[s] > 0 ? value_[s] - unit_ : value_[s] + unit_);
-    find_chains(start, gain + (price_of_edge + price_of_odd_) * unit_);
+    find_chains(start, gain + (price_in_ring + price_of_odd_) * unit_);
     const bool found = end_.curve != none && apply();
     for (const Index state : touched_) best_[state] = {};
     touched_.clear();
@@ -112,7 +117,7 @@ class Balancer {
       const auto [cost, state] = ahead.top();
       ahead.pop();
       // An end may earn back what its own sum cost.
-      if (cost - (price_of_edge + price_of_odd_) * unit_ >= end_.cost || cost > limit) return;
+      if (cost - (price_in_ring + price_of_odd_) * unit_ >= end_.cost || cost > limit) return;
       if (best_[state].settled) continue;
       best_[state].settled = true;
       leave(state, ahead);

@@ -14,6 +14,7 @@ namespace {
 constexpr Index fewest_of_closed = 4;
 // Of the steps on both sides; a third more on one than on the other.
 constexpr double most_difference = 0.15;
+constexpr double most_in_ring = 0.3;  // of small circles
 
 Index rounded(double x) { return static_cast<Index>(std::floor(x + 0.5)); }
 
@@ -200,7 +201,9 @@ CountSums possible_sums(CountSums sums, std::span<const double> steps) {
       difference += term.factor * steps[term.curve];
       total += std::abs(term.factor) * steps[term.curve];
     }
-    if (std::abs(difference) > most_difference * total + 1) sums.only_parity[s] = 1;
+    const double most =
+        sums.between_circles[s] ? most_in_ring * total + 2 : most_difference * total + 1;
+    if (std::abs(difference) > most) sums.only_parity[s] = 1;
   }
   return sums;
 }

@@ -58,6 +58,7 @@ Index rounded(double length) { return static_cast<Index>(std::floor(length + 0.5
 struct Border {
   Index face = none, turns = 0;  // in all
   std::vector<Side> sides;
+  bool round = false;  // one bend all the way: does not count as turning
 };
 
 /// An edge on a border: its length in mesh sizes, and by how much the border turns at its end.
@@ -87,6 +88,7 @@ class Turns {
       if (way_[k] != 0) heading = turn_at(k, heading);
     }
     border_.turns = heading;
+    if (is_round()) make_round();
     if (!starts_curve) join_ends();
     for (Side& side : border_.sides) side.drop_little_pieces();
     return std::move(border_);
@@ -94,6 +96,19 @@ class Turns {
 
  private:
   static bool is_sharp(const BorderStep& step) { return std::abs(step.turn) >= sharp_turn; }
+
+  bool is_round() const {
+    const auto is_corner = [](const BorderStep& step) { return std::abs(step.turn) >= tight_turn; };
+    const auto other_way = [this](int way) { return way == -way_.back(); };
+    return straight_ <= bend_gap && std::none_of(steps_.begin(), steps_.end(), is_corner) &&
+           std::none_of(way_.begin(), way_.end(), other_way);
+  }
+
+  void make_round() {
+    border_.round = true;
+    border_.turns = 0;
+    for (Side& side : border_.sides) side.length = {side.whole(), 0, 0, 0};
+  }
 
   /// The longest edge with a straight way behind it comes first.
   void begin_on_straight() {
@@ -110,6 +125,7 @@ class Turns {
     }
     std::rotate(steps_.begin(), steps_.begin() + start, steps_.end());
     std::rotate(way_.begin(), way_.begin() + start, way_.end());
+    straight_ = longest;
   }
 
   /// The direction behind step k, which turns.
@@ -179,6 +195,7 @@ class Turns {
   std::vector<BorderStep> steps_;
   std::vector<int> way_;  // #steps
   double round_ = 0;      // length in all
+  double straight_ = 0;   // the longest straight way
   std::size_t bend_end_ = 0;
   Index bend_base_ = 0;
   double bend_scale_ = 1, turned_ = 0;
@@ -334,9 +351,16 @@ class SumMaker {
         end_sum(false);
       }
     }
-    if (others.size() == 2 && others[0]->turns == 0 && others[1]->turns == 0) {
+    if (others.size() > 2)
+      std::stable_partition(others.begin(), others.end(),
+                            [](const Border* b) { return !b->round; });
+    const bool only_holes_left =
+        std::all_of(others.begin() + std::min<std::size_t>(others.size(), 2), others.end(),
+                    [](const Border* b) { return b->round; });
+    if (others.size() >= 2 && only_holes_left && others[0]->turns == 0 && others[1]->turns == 0 &&
+        others[0]->round == others[1]->round) {
       add_ring(*others[0], *others[1]);
-      return;
+      others.erase(others.begin(), others.begin() + 2);
     }
     for (const Border* border : others)
       for (const Side& side : border->sides) row_.push_back({side.curve, 1});
@@ -351,7 +375,7 @@ class SumMaker {
     end_sum(false);
     add_terms(a, along_a, 1);
     add_terms(b, along_b, -1);
-    end_sum(false);
+    end_sum(false, a.round);
   }
 
   void add_terms(const Border& border, Index direction, Index sign) {
@@ -365,7 +389,7 @@ class SumMaker {
   }
 
   /// Both sides of one curve add up.
-  void end_sum(bool only_parity) {
+  void end_sum(bool only_parity, bool between_circles = false) {
     std::sort(row_.begin(), row_.end(),
               [](const CountTerm& a, const CountTerm& b) { return a.curve < b.curve; });
     std::vector<CountTerm>& terms = sums_.terms.values;
@@ -386,6 +410,7 @@ class SumMaker {
       sums_.terms.end_row();
       sums_.constant.push_back(constant_);
       sums_.only_parity.push_back(only_parity);
+      sums_.between_circles.push_back(between_circles);
     }
     constant_ = 0;
   }

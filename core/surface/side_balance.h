@@ -14,10 +14,11 @@ struct CountTerm {
 };
 
 struct CountSums {
-  Csr<CountTerm> terms;           // #sums
-  std::vector<Index> constant;    // #sums  added to the terms
-  std::vector<char> only_parity;  // #sums  wanted: even; of the others: zero
-  std::vector<Index> bent;        // #C  count of a curve that turns on its way; 0 of others
+  Csr<CountTerm> terms;               // #sums
+  std::vector<Index> constant;        // #sums  added to the terms
+  std::vector<char> only_parity;      // #sums  wanted: even; of the others: zero
+  std::vector<char> between_circles;  // #sums  of small ones, the borders of a narrow ring
+  std::vector<Index> bent;            // #C  count of a curve that turns on its way; 0 of others
 };
 
 /// Going round a border of a face and turning by right angles (rounded) at its corners, what runs

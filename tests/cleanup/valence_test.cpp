@@ -54,6 +54,31 @@ TEST_CASE("in a part of a larger mesh four quads are wanted on the rim, with tho
   CHECK(ideal.weight(mesh, last) == irregularity(5, 4, false));
 }
 
+TEST_CASE("around a hole of few edges two quads or three are taken, at a corner they are not") {
+  for (const Index n : {4, 6, 7, 8}) {
+    QuadMesh ring;
+    for (const double r : {1.0, 2.0})
+      for (Index k = 0; k < n; ++k) {
+        const auto [sin, cos] = sin_cos(2 * pi * k / n);
+        ring.points.push_back({r * cos, r * sin});
+      }
+    for (Index k = 0; k < n; ++k) ring.faces.push_back({k, n + k, n + (k + 1) % n, (k + 1) % n});
+    ring.fixed = 2 * n;
+    const QuadTopology mesh{QuadMesh(ring)};
+    const IdealValence ideal(mesh);
+    for (Index v = 0; v < n; ++v) {
+      const auto count = ideal.sector_count(mesh, v, mesh.faces_of(v)[0]);
+      CHECK(count.either == (n > 4));
+      CHECK(count.quads == 2);
+      CHECK(count.ideal == 3);
+      CHECK(ideal.weight(mesh, v) == count.weight(2));
+      CHECK((count.weight(2) < irregularity(3, 4, false)) == (n > 4));
+      CHECK(count.weight(3) == 0);
+      CHECK(count.weight(4) > 1);
+    }
+  }
+}
+
 TEST_CASE("walls cut a vertex into sectors with their own ideals") {
   // A wall along the middle of a grid from the left side to a tip inside.
   QuadMesh plain = grid(4, 4);
