@@ -9,8 +9,8 @@ namespace lpq {
 namespace {
 
 // Hollow bends: three vertices in a row that turn away by so much each, in radians. Two quads at
-// the middle one have at most 122 degrees then, three at least 68.
-constexpr double least_bend = 25 * pi / 180, most_bend = 64 * pi / 180;
+// the middle one have at most 122 degrees then, three at least 71.
+constexpr double least_bend = 33 * pi / 180, most_bend = 64 * pi / 180;
 constexpr double weight_of_other = 0.5;
 
 // Faces of v from f on, counter-clockwise until a border edge or the start again.
