@@ -24,8 +24,7 @@ Error odd_part(const Domain& domain, const Parts& parts, std::span<const Index> 
   if (domain.regions.size() > 1 || !label.empty())
     name = "region " + std::to_string(where.region) + (label.empty() ? "" : " (" + label + ")");
   if (std::count(parts.region.begin(), parts.region.end(), where.region) > 1) {
-    const Vec2 middle = midpoint(domain.points[s.a], domain.points[s.b]);
-    where = at_point(where, domain.frame.to_world(middle));
+    where = at_point(where, midpoint(domain.points[s.a], domain.points[s.b]));
     name = "A part of " + name + ", cut off by polylines,";
   } else {
     name.front() = static_cast<char>(name.front() - 'a' + 'A');

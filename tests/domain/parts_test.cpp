@@ -128,7 +128,7 @@ TEST_CASE("an odd part is refused where it is") {
   CHECK(refused.error().message.find("A part of the domain") == 0);
   CHECK(refused.error().where.region == 0);
   // The longest edge that helps both: a point there, and the counts are even.
-  const Vec2 place{refused.error().where.x, refused.error().where.y};
+  const Vec2 place = domain->frame.to_world({refused.error().where.x, refused.error().where.y});
   REQUIRE(refused.error().where.has_point);
   CHECK((place == Vec2{2, 0} || place == Vec2{0, 2} || place == Vec2{2, 4}));
   const auto allowed = sample_boundary(*domain, {.keep = true, .require_even = false});

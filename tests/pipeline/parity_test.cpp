@@ -1,5 +1,6 @@
 // Odd numbers of boundary edges: quads alone cannot fill such a part; one triangle more can.
 #include <algorithm>
+#include <cmath>
 
 #include "catch.h"
 #include "pipeline/finish.h"
@@ -151,7 +152,12 @@ TEST_CASE("a region cut in two by a polyline is meshed on both sides, whatever t
       input.polylines[0].points.push_back({0.875 + 0.25 * k / pieces, 1.0 * k / pieces});
     const auto kept = mesh_domain(input, {.keep_boundary = true});
     CHECK(kept.has_value() == (pieces == 8));
-    if (!kept) CHECK(kept.error().code == ErrorCode::odd_boundary);
+    if (!kept) {
+      const Where& where = kept.error().where;
+      CHECK(kept.error().code == ErrorCode::odd_boundary);
+      CHECK((where.has_point && where.x > 0 && where.x < 2 && where.y >= 0 && where.y <= 1));
+      CHECK(where.x * 16 == std::floor(where.x * 16));  // the middle of an edge
+    }
 
     const auto mixed = mesh_domain(input, one_triangle);
     REQUIRE(mixed);
