@@ -26,7 +26,7 @@ namespace {
 constexpr double default_quads = 3000;
 constexpr double default_growth = 0.3;
 // Where there is no mesh it is tried again with smaller sizes: first near the faults alone.
-constexpr int most_rounds = 8;
+constexpr int most_rounds = 12;
 constexpr int local_rounds = 3;
 // A mesh that is only too coarse in places is good enough after so many.
 constexpr int most_doubts = 2;
@@ -214,8 +214,9 @@ class SurfaceMesher::Run {
 
   std::optional<Error> start_round() {
     mark_corners(surface(), size_, FeatureOptions{}.corner_angle, lines_);
+    kept_vertices_.resize(lines_.corner.size(), 0);
     for (std::size_t v = 0; v < lines_.corner.size(); ++v)
-      lines_.corner[v] = lines_.corner[v] || features_.corner[v];
+      lines_.corner[v] = lines_.corner[v] || features_.corner[v] || kept_vertices_[v];
     curves_ = trace_curves(surface(), lines_);
     auto nodes = mesh_curves(surface(), lines_, curves_, size_);
     if (!nodes) return nodes.error();
@@ -253,12 +254,19 @@ class SurfaceMesher::Run {
   /// Another round with smaller sizes, unless there have been enough.
   std::optional<Error> try_again(const std::vector<Fault>& faults) {
     Index& round = outcome_.report.rounds;
+    if (round > 1) keep_vertices(faults);
     if (round == most_rounds ||
         !make_smaller(surface(), faults, round > local_rounds, growth(), size_))
       return take_kept() ? std::nullopt : std::optional(failed(faults.front()));
     ++round;
     stage_ = SurfaceStage::mesh;
     return std::nullopt;
+  }
+
+  /// Chords that cut the vertices of thin charts may cross at every size.
+  void keep_vertices(const std::vector<Fault>& faults) {
+    for (const Fault& fault : faults)
+      for (const Index v : fault.everywhere) kept_vertices_[v] = 1;
   }
 
   bool take_kept() {
@@ -347,9 +355,10 @@ class SurfaceMesher::Run {
   SurfaceStage stage_ = SurfaceStage::features;
   ShellOutcome outcome_;
   SurfaceFeatures features_, lines_;
-  std::vector<char> feature_;  // #half-edges
-  std::vector<double> asked_;  // #V or empty, by the caller; 0 = no size there
-  std::vector<double> size_;   // #V
+  std::vector<char> feature_;        // #half-edges
+  std::vector<double> asked_;        // #V or empty, by the caller; 0 = no size there
+  std::vector<double> size_;         // #V
+  std::vector<char> kept_vertices_;  // #V  that curves have nodes on
   SurfaceCrossField cross_;
   SurfaceCurves curves_;
   CurveMesh nodes_;
