@@ -19,6 +19,20 @@ constexpr double smallest_radius = 3.5;
 constexpr double shrink = 0.7;         // of a window without a good map
 constexpr double covered_share = 0.5;  // of the radius: what a window has dealt with
 
+/// A feature with one face on both sides: windows may look across.
+bool lies_inside(const Charted& charted, Index e) {
+  const Index twin = charted.mesh.twins[e];
+  const std::vector<Index>& face = charted.features.face;
+  return twin != none && face[triangle_of(e)] == face[triangle_of(twin)];
+}
+
+std::vector<char> barrier_of(const Charted& charted) {
+  std::vector<char> barrier = charted.features.half_edges();
+  for (Index e = 0; e < static_cast<Index>(barrier.size()); ++e)
+    if (barrier[e] && lies_inside(charted, e)) barrier[e] = 0;
+  return barrier;
+}
+
 }  // namespace
 
 class SeamFinisher::Run {
@@ -27,8 +41,8 @@ class SeamFinisher::Run {
       : charted_(charted),
         options_(options),
         mesh_(std::move(mesh)),
-        feature_(charted.features.half_edges()),
-        balls_(charted.mesh, feature_),
+        barrier_(barrier_of(charted)),
+        balls_(charted.mesh, barrier_),
         windows_(charted.mesh, charted.cross, charted.size),
         wanted_(mesh_.points.size(), 0),
         rim_(mesh_.points.size(), 0),
@@ -157,7 +171,7 @@ class SeamFinisher::Run {
   Charted charted_;
   Options options_;
   ShellMesh mesh_;
-  std::vector<char> feature_;  // #half-edges
+  std::vector<char> barrier_;  // #half-edges
   BallFinder balls_;
   WindowMaker windows_;
   int pass_ = 0;

@@ -77,9 +77,14 @@ SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> s
   features.edges = surface_edges(mesh.triangles, mesh.vertex_count());
   features.kind.assign(features.edges.ends.size(), FeatureKind::smooth);
   mark_hard_edges(mesh, options, marks, features);
-  mark_sharp_edges(mesh, size, options, features);
+  const std::vector<double> angles = edge_angles(mesh, size, features.edges);
+  mark_sharp_edges(angles, options, features);
   unmark_smooth_edges(marks, features);
-  drop_short_chains(mesh, size, options, features);
+  drop_short_chains(mesh, size, angles, options, features);
+  // Only now, so that chains divide no others on their way.
+  extend_sharp_chains(mesh, angles, options, features);
+  unmark_smooth_edges(marks, features);
+  drop_small_heaps(mesh, size, options, features);
   number_faces(mesh, features);
   mark_corners(mesh, size, options.corner_angle, features);
   mark_bends(mesh, size, options.bend_angle, features);

@@ -13,7 +13,8 @@ namespace lpq {
 struct FeatureOptions {
   double angle = 40;           // degrees between normals from which an edge is sharp; 180: none is
   double hysteresis = 0.6;     // part of the angle from which an edge carries on a sharp chain
-  double shortest = 5;         // mesh sizes; smaller heaps of sharp edges with loose ends are noise
+  double shortest = 5;         // mesh sizes; shorter chains that do not stand out are noise, and so
+                               // are others that have a loose end
   double shortest_loop = 1.5;  // mesh sizes; the same for heaps without loose ends, except rims
   double shortest_stub = 1;    // mesh sizes; shorter side branches with a loose end are noise
   double corner_angle = 40;    // degrees of turn from which a curve has a corner
@@ -45,16 +46,17 @@ struct SurfaceFeatures {
 };
 
 /// `size` is the mesh size at each vertex (#V, > 0). Walls are features always (marks cannot open
-/// them), group borders if asked, sharp edges by angle: chains start where the angle is reached and
-/// go on, straight ahead, down to its part `hysteresis` (as edges in pictures [C86]); what
-/// is too short for the mesh size and touches nothing hard is dropped (but never a plain closed
-/// line of eight edges or more: the rim of a hole). Triangles so flat that their normals are noise,
-/// and needles that are nothing beside the mesh, take their normals from their neighbours
-/// (normals.h). Corners: where other than two features meet,
-/// where a curve turns (both at the vertex and between points half a mesh size away), in the middle
-/// of bends that are smaller than the mesh (see bends.h), where the
-/// faces along a curve change, and where sheets meet in a point only. Faces are connected across
-/// edges that are no features, numbered by first triangle. Cost O(#T log valence).
+/// them), group borders if asked, sharp edges by angle. Short chains of them are noise where the
+/// surface beside them is about as uneven, as it is on scans (see sharp_chains.h). Chains that
+/// stand out go on, straight ahead, down to the angle's part `hysteresis` (as edges in pictures
+/// [C86]); what of them is too short for the mesh size and touches nothing hard is dropped (but
+/// never a plain closed line of eight edges or more: the rim of a hole). Triangles so flat that
+/// their normals are noise, and needles that are nothing beside the mesh, take their normals from
+/// their neighbours (normals.h). Corners: where other
+/// than two features meet, where a curve turns (both at the vertex and between points half a mesh
+/// size away), in the middle of bends that are smaller than the mesh (see bends.h), where the faces
+/// along a curve change, and where sheets meet in a point only. Faces are connected across edges
+/// that are no features, numbered by first triangle. Cost O(#T log #T).
 SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> size,
                               const FeatureOptions& options = {}, const FeatureMarks& marks = {});
 

@@ -2,6 +2,7 @@
 
 #include "numerics/elementary.h"
 #include "surface/normals.h"
+#include "surface/sharp_chains.h"
 
 namespace lpq {
 namespace {
@@ -27,11 +28,10 @@ class Extender {
     }
   }
 
-  void run() {
-    for (Index i = 0; i < features_.edges.count(); ++i) {
-      if (features_.kind[i] != FeatureKind::sharp) continue;
+  /// On from the loose ends of these edges.
+  void extend(const std::vector<Index>& edges) {
+    for (const Index i : edges)
       for (const Index v : features_.edges.ends[i]) extend(i, v);
-    }
   }
 
  private:
@@ -71,22 +71,41 @@ class Extender {
 
 double cos_degrees(double angle) { return sin_cos(angle * (pi / 180)).cos; }
 
-void mark_sharp_edges(const SurfaceMesh& mesh, std::span<const double> size,
-                      const FeatureOptions& options, SurfaceFeatures& features) {
+std::vector<double> edge_angles(const SurfaceMesh& mesh, std::span<const double> size,
+                                const SurfaceEdges& edges) {
   const std::vector<Vec3> normals = triangle_normals(mesh, size);
-  constexpr double nothing_is = -2;  // rounding takes cosines of folds below -1
-  const double sharp = options.angle < 180 ? cos_degrees(options.angle) : nothing_is;
-  const double carries_on = cos_degrees(options.angle * options.hysteresis);
-  std::vector<char> weak(features.kind.size(), 0);
-  for (Index i = 0; i < features.edges.count(); ++i) {
-    const auto around = features.edges.half_edges.row(i);
-    if (features.kind[i] != FeatureKind::smooth || mesh.twins[around[0]] == none) continue;
+  std::vector<double> angles(edges.ends.size(), 0);
+  for (Index i = 0; i < edges.count(); ++i) {
+    const auto around = edges.half_edges.row(i);
+    if (mesh.twins[around[0]] == none) continue;
     const Vec3 n = normals[triangle_of(around[0])], m = normals[triangle_of(around[1])];
     if (n == Vec3{} || m == Vec3{}) continue;
-    weak[i] = dot(n, m) < carries_on;
-    if (dot(n, m) < sharp) features.kind[i] = FeatureKind::sharp;
+    angles[i] = arc_tangent(length(cross(n, m)), dot(n, m)) * (180 / pi);
   }
-  Extender(mesh, options, weak, features).run();
+  return angles;
+}
+
+void mark_sharp_edges(std::span<const double> angles, const FeatureOptions& options,
+                      SurfaceFeatures& features) {
+  if (options.angle >= 180) return;  // folds are not sharper by rounding
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    if (features.kind[i] == FeatureKind::smooth && angles[i] > options.angle)
+      features.kind[i] = FeatureKind::sharp;
+}
+
+void extend_sharp_chains(const SurfaceMesh& mesh, std::span<const double> angles,
+                         const FeatureOptions& options, SurfaceFeatures& features) {
+  const SharpChains chains(mesh, angles, options.angle, features);
+  std::vector<char> weak(angles.size()), seen(angles.size());
+  std::vector<Index> clean;
+  for (Index i = 0; i < features.edges.count(); ++i) {
+    weak[i] = angles[i] > options.angle * options.hysteresis;
+    if (seen[i] || features.kind[i] != FeatureKind::sharp) continue;
+    const SharpChain chain = chains.through(i);
+    for (const Index edge : chain.edges) seen[edge] = 1;
+    if (!chains.is_rough(chain)) clean.insert(clean.end(), chain.edges.begin(), chain.edges.end());
+  }
+  Extender(mesh, options, weak, features).extend(clean);
 }
 
 }  // namespace lpq

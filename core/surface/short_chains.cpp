@@ -1,69 +1,101 @@
 #include "surface/short_chains.h"
 
 #include <algorithm>
+#include <functional>
+#include <queue>
+#include <utility>
+#include <vector>
 
 #include "base/disjoint_sets.h"
+#include "surface/sharp_chains.h"
 
 namespace lpq {
 namespace {
 
-/// Side branches: from a loose end to where three or more features meet.
-class StubCutter {
+/// One chain after the other, the shortest first: two that are left at a junction are one longer
+/// chain.
+class ChainFilter {
  public:
-  StubCutter(const SurfaceMesh& mesh, std::span<const double> size, double shortest,
-             SurfaceFeatures& features)
+  ChainFilter(const SurfaceMesh& mesh, std::span<const double> size, std::span<const double> angles,
+              const FeatureOptions& options, SurfaceFeatures& features)
       : mesh_(mesh),
         size_(size),
-        shortest_(shortest),
+        options_(options),
         features_(features),
-        at_(features.edges_at_vertices(mesh.vertex_count())) {}
+        chains_(mesh, angles, options.angle, features) {}
 
   void run() {
-    for (Index v = 0; v < mesh_.vertex_count(); ++v)
-      if (valence(v) == 1) cut(v);
+    std::vector<char> seen(features_.kind.size());
+    for (Index i = 0; i < features_.edges.count(); ++i) {
+      if (seen[i] || features_.kind[i] != FeatureKind::sharp) continue;
+      const SharpChain chain = chains_.through(i);
+      for (const Index edge : chain.edges) seen[edge] = 1;
+      queue_.push({sizes(chain), i});
+    }
+    while (!queue_.empty()) {
+      const auto [length, edge] = queue_.top();
+      queue_.pop();
+      if (features_.kind[edge] == FeatureKind::sharp) judge(length, edge);
+    }
   }
 
  private:
-  Index valence(Index v) const {
-    const auto row = at_.row(v);
-    return static_cast<Index>(
-        std::count_if(row.begin(), row.end(), [this](Index i) { return features_.is_feature(i); }));
-  }
-
-  void cut(Index v) {
-    std::vector<Index> stub;
-    double sizes = 0;  // length in mesh sizes
-    for (Index count = 1; count < 3;) {
-      const Index edge = next_edge(v, stub);
-      if (edge == none || features_.kind[edge] != FeatureKind::sharp) return;
-      const Index w = features_.edges.other_end(edge, v);
-      sizes += 2 * distance(mesh_.points[v], mesh_.points[w]) / (size_[v] + size_[w]);
-      if (sizes >= shortest_) return;
-      stub.push_back(edge);
-      v = w;
-      count = valence(v);
-      if (count == 1) return;  // a chain by itself
+  void judge(double length, Index edge) {
+    const SharpChain chain = chains_.through(edge);
+    const double now = sizes(chain);
+    if (now > length) {
+      queue_.push({now, edge});
+    } else if (is_noise(chain, length)) {
+      chains_.remove(chain);
+      for (const Index v : {chain.vertices.front(), chain.vertices.back()}) ask(v);
     }
-    for (const Index edge : stub) features_.kind[edge] = FeatureKind::smooth;
   }
 
-  Index next_edge(Index v, const std::vector<Index>& stub) const {
-    for (const Index i : at_.row(v))
-      if (features_.is_feature(i) && (stub.empty() || stub.back() != i)) return i;
-    return none;
+  /// What has become a loose end.
+  void ask(Index v) {
+    if (chains_.valence(v) != 1) return;
+    const Index edge = chains_.feature_at(v);
+    if (features_.kind[edge] == FeatureKind::sharp)
+      queue_.push({sizes(chains_.through(edge)), edge});
   }
+
+  bool is_noise(const SharpChain& chain, double sizes) const {
+    return sizes < options_.shortest &&
+           ((sizes < options_.shortest_stub && is_stub(chain)) || chains_.is_rough(chain));
+  }
+
+  /// A side branch: from a loose end to where three or more features meet.
+  bool is_stub(const SharpChain& chain) const {
+    const Index a = chains_.valence(chain.vertices.front());
+    const Index b = chains_.valence(chain.vertices.back());
+    return std::min(a, b) == 1 && std::max(a, b) > 2;
+  }
+
+  /// Length in mesh sizes.
+  double sizes(const SharpChain& chain) const {
+    double sum = 0;
+    for (const Index edge : chain.edges) {
+      const auto& [a, b] = features_.edges.ends[edge];
+      sum += 2 * distance(mesh_.points[a], mesh_.points[b]) / (size_[a] + size_[b]);
+    }
+    return sum;
+  }
+
+  using Entry = std::pair<double, Index>;  // length in mesh sizes, an edge of the chain
 
   const SurfaceMesh& mesh_;
   std::span<const double> size_;
-  double shortest_;
+  const FeatureOptions& options_;
   SurfaceFeatures& features_;
-  Csr<Index> at_;  // edges that were features at the start
+  SharpChains chains_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue_;
 };
 
 /// What is known of a connected heap of features.
 struct Heap {
   Vec3 low, high;
-  double sizes = 0;  // sum over its edge ends
+  double sizes = 0;   // sum over its edge ends
+  double length = 0;  // twice
   Index ends = 0;
   bool hard = false, loose = false, branched = false;
 };
@@ -92,7 +124,7 @@ class HeapFilter {
       ++valence[b];
     });
     for_each_feature([&](Index i) {
-      for (const Index v : features_.edges.ends[i]) gather(v, features_.kind[i], valence[v]);
+      for (const Index v : features_.edges.ends[i]) gather(v, i, valence[v]);
     });
     for_each_feature([&](Index i) {
       if (is_noise(heaps_[sets_.root(features_.edges.ends[i][0])]))
@@ -107,7 +139,7 @@ class HeapFilter {
       if (features_.is_feature(i)) visit(i);
   }
 
-  void gather(Index v, FeatureKind kind, Index valence) {
+  void gather(Index v, Index edge, Index valence) {
     Heap& heap = heaps_[sets_.root(v)];
     const Vec3 p = mesh_.points[v];
     if (heap.ends == 0) heap.low = heap.high = p;
@@ -116,7 +148,9 @@ class HeapFilter {
                  std::max(heap.high.z, p.z)};
     heap.sizes += size_[v];
     ++heap.ends;
-    heap.hard = heap.hard || kind > FeatureKind::sharp;
+    const auto& [a, b] = features_.edges.ends[edge];
+    heap.length += distance(mesh_.points[a], mesh_.points[b]);
+    heap.hard = heap.hard || features_.kind[edge] > FeatureKind::sharp;
     heap.loose = heap.loose || valence == 1;
     heap.branched = heap.branched || valence > 2;
   }
@@ -124,8 +158,9 @@ class HeapFilter {
   bool is_noise(const Heap& heap) const {
     if (heap.hard) return false;
     if (!heap.loose && !heap.branched && heap.ends >= 2 * fewest_of_rim) return false;
-    const double shortest = heap.loose ? options_.shortest : options_.shortest_loop;
-    return length(heap.high - heap.low) < shortest * heap.sizes / heap.ends;
+    const double size = heap.sizes / heap.ends;
+    if (heap.loose) return 0.5 * heap.length < options_.shortest * size;
+    return length(heap.high - heap.low) < options_.shortest_loop * size;
   }
 
   const SurfaceMesh& mesh_;
@@ -139,8 +174,13 @@ class HeapFilter {
 }  // namespace
 
 void drop_short_chains(const SurfaceMesh& mesh, std::span<const double> size,
-                       const FeatureOptions& options, SurfaceFeatures& features) {
-  StubCutter(mesh, size, options.shortest_stub, features).run();
+                       std::span<const double> angles, const FeatureOptions& options,
+                       SurfaceFeatures& features) {
+  ChainFilter(mesh, size, angles, options, features).run();
+}
+
+void drop_small_heaps(const SurfaceMesh& mesh, std::span<const double> size,
+                      const FeatureOptions& options, SurfaceFeatures& features) {
   HeapFilter(mesh, size, options, features).run();
 }
 

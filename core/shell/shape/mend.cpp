@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "shell/shape/refills.h"
-#include "shell/shape/smoother.h"
 
 namespace lpq {
 namespace {
@@ -99,35 +98,14 @@ class Mender::Run {
     put_back(patch, mesh_, roles_);
   }
 
-  std::vector<Index> faces_around(Index f, int width) const {
-    std::vector<Index> all{f};
-    for (int ring = 0; ring < width; ++ring) {
-      const std::size_t size = all.size();
-      for (std::size_t i = 0; i < size; ++i)
-        for (const Index v : mesh_.faces[all[i]])
-          if (v != none) all.insert(all.end(), stars_.row(v).begin(), stars_.row(v).end());
-      std::sort(all.begin(), all.end());
-      all.erase(std::unique(all.begin(), all.end()), all.end());
-    }
-    return all;
-  }
-
   Verdict verdict(ShapePatch& patch) const {
     return ShapeSmoother(ground_, patch.roles, options_, patch.mesh).verdict();
   }
 
-  /// Moves the vertices of the patch to where they are best.
-  Verdict smooth(ShapePatch& patch) const {
-    ShapeSmoother smoother(ground_, patch.roles, options_, patch.mesh);
-    if (smoother.verdict().tangled > 0) smoother.untangle(smoother.part_above(-1));
-    // Steps are short where sides are: sides that nearly vanished grow round by round.
-    for (int round = 0; round < mean_ratio_rounds; ++round) {
-      smoother.descend_mean_ratio(smoother.part_above(0), mean_ratio_steps, 0);
-      if (!has_short_side(patch.mesh)) break;
-    }
-    smoother.descend_eta(smoother.part_above(0), eta_steps, eta_tolerance);
-    patch.roles = smoother.freedom().roles();
-    return smoother.verdict();
+  Verdict smooth(ShapePatch& patch) const { return smooth_patch(ground_, options_, patch); }
+
+  std::vector<Index> faces_around(Index f, int width) const {
+    return lpq::faces_around(mesh_, stars_, f, width);
   }
 
   bool has_vanished_side(const ShellMesh& mesh) const {
@@ -187,5 +165,19 @@ bool Mender::mend_next(double bound, bool refill) { return run_->mend_next(bound
 bool Mender::smooth_next() { return run_->smooth_next(); }
 double Mender::share() const { return run_->share(); }
 const MendStats& Mender::stats() const { return run_->stats(); }
+
+ShapeSmoother::Verdict smooth_patch(const ShapeGround& ground, const SmoothOptions& options,
+                                    ShapePatch& patch) {
+  ShapeSmoother smoother(ground, patch.roles, options, patch.mesh);
+  if (smoother.verdict().tangled > 0) smoother.untangle(smoother.part_above(-1));
+  // Steps are short where sides are: sides that nearly vanished grow round by round.
+  for (int round = 0; round < mean_ratio_rounds; ++round) {
+    smoother.descend_mean_ratio(smoother.part_above(0), mean_ratio_steps, 0);
+    if (!has_short_side(patch.mesh)) break;
+  }
+  smoother.descend_eta(smoother.part_above(0), eta_steps, eta_tolerance);
+  patch.roles = smoother.freedom().roles();
+  return smoother.verdict();
+}
 
 }  // namespace lpq

@@ -6,8 +6,13 @@
 
 #include "cleanup/smooth.h"
 #include "shell/shape/patch.h"
+#include "shell/shape/smoother.h"
 
 namespace lpq {
+
+/// Moves the vertices of a patch to where they are best, from anywhere.
+ShapeSmoother::Verdict smooth_patch(const ShapeGround& ground, const SmoothOptions& options,
+                                    ShapePatch& patch);
 
 struct MendStats {
   Index moved = 0;     // patches that became better as they were

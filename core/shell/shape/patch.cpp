@@ -38,6 +38,20 @@ Csr<Index> faces_at_vertices(const ShellMesh& mesh) {
   return stars;
 }
 
+std::vector<Index> faces_around(const ShellMesh& mesh, const Csr<Index>& stars, Index f,
+                                int rings) {
+  std::vector<Index> all{f};
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::size_t size = all.size();
+    for (std::size_t i = 0; i < size; ++i)
+      for (const Index v : mesh.faces[all[i]])
+        if (v != none) all.insert(all.end(), stars.row(v).begin(), stars.row(v).end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+  }
+  return all;
+}
+
 ShapePatch take_patch(const ShellMesh& mesh, const std::vector<VertexRole>& roles,
                       const Csr<Index>& stars, std::vector<Index> faces) {
   ShapePatch patch;

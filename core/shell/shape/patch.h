@@ -20,6 +20,9 @@ struct ShapePatch {
 /// Faces at every vertex, ascending; dead ones (no corners) have none.
 Csr<Index> faces_at_vertices(const ShellMesh& mesh);
 
+/// f and the faces in so many rings around it, ascending. `stars`: of the mesh.
+std::vector<Index> faces_around(const ShellMesh& mesh, const Csr<Index>& stars, Index f, int rings);
+
 /// `faces`: ascending; `stars`: of the whole mesh.
 ShapePatch take_patch(const ShellMesh& mesh, const std::vector<VertexRole>& roles,
                       const Csr<Index>& stars, std::vector<Index> faces);

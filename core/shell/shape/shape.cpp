@@ -8,6 +8,7 @@
 
 #include "shell/shape/mend.h"
 #include "shell/shape/smoother.h"
+#include "shell/shape/tips.h"
 
 namespace lpq {
 namespace {
@@ -118,7 +119,8 @@ Index count_tangled(const ShapeGround& ground, const ShellMesh& mesh) {
 class ShapeFinisher::Run {
  public:
   Run(const Charted& charted, const SmoothOptions& options, ShellMesh mesh)
-      : options_(options),
+      : charted_(charted),
+        options_(options),
         mesh_(std::move(mesh)),
         ground_(charted),
         roles_(vertex_roles(charted, ground_.tracks, mesh_)) {
@@ -173,6 +175,8 @@ class ShapeFinisher::Run {
   }
 
   bool begin_poor() {
+    mender_.reset();
+    stats_.reached = reach_tips(charted_, ground_, options_, mesh_, roles_);
     mender_.emplace(ground_, options_, mesh_, roles_);
     part_ = Part::poor;
     return true;
@@ -186,6 +190,7 @@ class ShapeFinisher::Run {
     return false;
   }
 
+  Charted charted_;
   SmoothOptions options_;
   ShellMesh mesh_;
   ShapeGround ground_;

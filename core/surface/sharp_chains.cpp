@@ -1,0 +1,95 @@
+#include "surface/sharp_chains.h"
+
+#include <algorithm>
+
+namespace lpq {
+namespace {
+
+// Of the bend of a chain: how uneven the surface beside a crease may be. Machined parts, with flat
+// or evenly round faces, have 0.1 and less; scans mostly 0.3 and more.
+constexpr double uneven = 0.2;
+// Cosine of the turn with which what is left at a junction is one chain.
+constexpr double straight_on = 0.5;
+
+}  // namespace
+
+SharpChains::SharpChains(const SurfaceMesh& mesh, std::span<const double> angles,
+                         double sharp_angle, SurfaceFeatures& features)
+    : edges_(features.edges),
+      points_(mesh.points),
+      angles_(angles),
+      sharp_angle_(sharp_angle),
+      features_(features),
+      at_(edges_at_vertices(features.edges, mesh.vertex_count())),
+      valence_(mesh.points.size(), 0),
+      sharp_valence_(mesh.points.size(), 0) {
+  for (Index i = 0; i < edges_.count(); ++i)
+    for (const Index v : edges_.ends[i]) {
+      valence_[v] += features.is_feature(i);
+      sharp_valence_[v] += features.kind[i] == FeatureKind::sharp;
+    }
+  for (const Index n : sharp_valence_) was_junction_.push_back(n > 2);
+}
+
+Index SharpChains::feature_at(Index v) const {
+  const auto row = at_.row(v);
+  const auto found =
+      std::find_if(row.begin(), row.end(), [this](Index i) { return features_.is_feature(i); });
+  return found == row.end() ? none : *found;
+}
+
+SharpChain SharpChains::through(Index edge) const {
+  SharpChain chain{{edge}, {edges_.ends[edge][0], edges_.ends[edge][1]}};
+  walk(chain);
+  if (chain.is_closed()) return chain;
+  std::reverse(chain.edges.begin(), chain.edges.end());
+  std::reverse(chain.vertices.begin(), chain.vertices.end());
+  walk(chain);
+  return chain;
+}
+
+/// On from its last vertex.
+void SharpChains::walk(SharpChain& chain) const {
+  while (!chain.is_closed()) {
+    const Index v = chain.vertices.back();
+    if (sharp_valence_[v] != 2) return;
+    const auto row = at_.row(v);
+    const auto next = std::find_if(row.begin(), row.end(), [&](Index i) {
+      return features_.kind[i] == FeatureKind::sharp && i != chain.edges.back();
+    });
+    if (was_junction_[v] && !goes_on(chain.edges.back(), v, *next)) return;
+    chain.edges.push_back(*next);
+    chain.vertices.push_back(edges_.other_end(*next, v));
+  }
+}
+
+bool SharpChains::goes_on(Index edge, Index v, Index next) const {
+  const Vec3 in = points_[v] - points_[edges_.other_end(edge, v)];
+  const Vec3 out = points_[edges_.other_end(next, v)] - points_[v];
+  return dot(in, out) > straight_on * length(in) * length(out);
+}
+
+void SharpChains::remove(const SharpChain& chain) {
+  for (const Index edge : chain.edges) {
+    features_.kind[edge] = FeatureKind::smooth;
+    for (const Index v : edges_.ends[edge]) {
+      --valence_[v];
+      --sharp_valence_[v];
+    }
+  }
+}
+
+bool SharpChains::is_rough(const SharpChain& chain) const {
+  double bend = 0, squares = 0, count = 0;
+  for (const Index edge : chain.edges) bend += angles_[edge];
+  bend /= static_cast<double>(chain.edges.size());
+  for (const Index v : chain.vertices)
+    for (const Index i : at_.row(v)) {
+      if (features_.is_feature(i) || angles_[i] > sharp_angle_) continue;
+      squares += angles_[i] * angles_[i];
+      ++count;
+    }
+  return squares > uneven * uneven * bend * bend * count;
+}
+
+}  // namespace lpq

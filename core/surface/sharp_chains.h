@@ -1,0 +1,54 @@
+// Chains of sharp edges, and whether they stand out from the surface around them.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "surface/features.h"
+
+namespace lpq {
+
+/// From where other than two sharp edges meet to the next such place.
+struct SharpChain {
+  std::vector<Index> edges;
+  std::vector<Index> vertices;  // along it, one more than edges; a closed one ends with its first
+
+  bool is_closed() const { return vertices.front() == vertices.back(); }
+};
+
+class SharpChains {
+ public:
+  /// `angles` in degrees between the normals at every edge, see edge_angles.
+  SharpChains(const SurfaceMesh& mesh, std::span<const double> angles, double sharp_angle,
+              SurfaceFeatures& features);
+
+  /// The chain that an edge of kind sharp is on. Where there was a junction at the start the two
+  /// that are left are one chain if they go straight on. Cost O(its length).
+  SharpChain through(Index edge) const;
+  /// Makes its edges smooth.
+  void remove(const SharpChain& chain);
+  /// Features at the vertex.
+  Index valence(Index v) const { return valence_[v]; }
+  /// Any feature there, or none.
+  Index feature_at(Index v) const;
+
+  /// A crease bends much more than the surface beside it. Where that is about as uneven, sharp
+  /// edges are what noise leaves above the angle.
+  bool is_rough(const SharpChain& chain) const;
+
+ private:
+  void walk(SharpChain& chain) const;
+  bool goes_on(Index edge, Index v, Index next) const;
+
+  const SurfaceEdges& edges_;
+  const std::vector<Vec3>& points_;
+  std::span<const double> angles_;
+  double sharp_angle_;
+  SurfaceFeatures& features_;
+  Csr<Index> at_;                     // #V  all edges
+  std::vector<Index> valence_;        // #V  features now
+  std::vector<Index> sharp_valence_;  // #V  of kind sharp
+  std::vector<char> was_junction_;    // #V
+};
+
+}  // namespace lpq
