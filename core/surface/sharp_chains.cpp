@@ -79,13 +79,21 @@ void SharpChains::remove(const SharpChain& chain) {
   }
 }
 
-bool SharpChains::is_rough(const SharpChain& chain) const {
+/// What a chain that fades becomes beyond its end is not beside it.
+bool SharpChains::is_ahead(const SharpChain& chain, std::size_t k, Index edge) const {
+  return !chain.is_closed() &&
+         ((k == 0 && goes_on(chain.edges.front(), chain.vertices.front(), edge)) ||
+          (k == chain.edges.size() && goes_on(chain.edges.back(), chain.vertices.back(), edge)));
+}
+
+bool SharpChains::is_rough(const SharpChain& chain, bool may_fade) const {
   double bend = 0, squares = 0, count = 0;
   for (const Index edge : chain.edges) bend += angles_[edge];
   bend /= static_cast<double>(chain.edges.size());
-  for (const Index v : chain.vertices)
-    for (const Index i : at_.row(v)) {
+  for (std::size_t k = 0; k < chain.vertices.size(); ++k)
+    for (const Index i : at_.row(chain.vertices[k])) {
       if (features_.is_feature(i) || angles_[i] > sharp_angle_) continue;
+      if (may_fade && is_ahead(chain, k, i)) continue;
       squares += angles_[i] * angles_[i];
       ++count;
     }

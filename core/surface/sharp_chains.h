@@ -34,11 +34,13 @@ class SharpChains {
 
   /// A crease bends much more than the surface beside it. Where that is about as uneven, sharp
   /// edges are what noise leaves above the angle.
-  bool is_rough(const SharpChain& chain) const;
+  /// A chain that may fade is not judged by the edges straight ahead of its ends.
+  bool is_rough(const SharpChain& chain, bool may_fade) const;
 
  private:
   void walk(SharpChain& chain) const;
   bool goes_on(Index edge, Index v, Index next) const;
+  bool is_ahead(const SharpChain& chain, std::size_t k, Index edge) const;
 
   const SurfaceEdges& edges_;
   const std::vector<Vec3>& points_;

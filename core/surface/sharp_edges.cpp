@@ -103,7 +103,8 @@ void extend_sharp_chains(const SurfaceMesh& mesh, std::span<const double> angles
     if (seen[i] || features.kind[i] != FeatureKind::sharp) continue;
     const SharpChain chain = chains.through(i);
     for (const Index edge : chain.edges) seen[edge] = 1;
-    if (!chains.is_rough(chain)) clean.insert(clean.end(), chain.edges.begin(), chain.edges.end());
+    if (!chains.is_rough(chain, true))
+      clean.insert(clean.end(), chain.edges.begin(), chain.edges.end());
   }
   Extender(mesh, options, weak, features).extend(clean);
 }

@@ -61,7 +61,7 @@ class ChainFilter {
 
   bool is_noise(const SharpChain& chain, double sizes) const {
     return sizes < options_.shortest &&
-           ((sizes < options_.shortest_stub && is_stub(chain)) || chains_.is_rough(chain));
+           ((sizes < options_.shortest_stub && is_stub(chain)) || chains_.is_rough(chain, false));
   }
 
   /// A side branch: from a loose end to where three or more features meet.

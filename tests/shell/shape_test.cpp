@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/rng.h"
 #include "catch.h"
@@ -268,4 +269,24 @@ TEST_CASE("a straight corner that cannot move gets other quads") {
   CHECK(stats.refilled > 0);
   CHECK(stats.tangled_after == 0);
   CHECK(shell_quality(mesh).eta_min > 0.4);
+}
+
+TEST_CASE("tips that the mesh cuts off are reached") {
+  // A ball with a spine that is narrower than a quad.
+  SurfaceMesh surface = sphere(12);
+  Index tip = 0;
+  for (Index v = 0; v < surface.vertex_count(); ++v)
+    if (surface.points[v].z > surface.points[tip].z) tip = v;
+  surface.points[tip] = 1.12 * surface.points[tip];
+  Meshed meshed(soup_of(surface), 0.25);
+  shake(meshed, 0.02, 8);
+  optimise_shape(meshed.charted(), {}, meshed.mesh());
+  const auto& points = meshed.mesh().points;
+  const double nearest = std::accumulate(
+      points.begin(), points.end(), 1.0,
+      [&](double least, Vec3 p) { return std::min(least, distance(p, surface.points[tip])); });
+  CHECK(nearest < 0.3 * 0.25);
+  CHECK(shell_quality(meshed.mesh()).nonconvex == 0);
+  CHECK(shell_quality(meshed.mesh()).eta_min > 0.3);
+  CHECK(is_on_surface(meshed));
 }

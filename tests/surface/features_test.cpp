@@ -1,11 +1,14 @@
 // Features, corners and faces of surfaces whose lines are known.
 #include "surface/features.h"
 
+#include "base/rng.h"
 #include "catch.h"
 #include "support/surface_checks.h"
+#include "support/surface_meshes.h"
 #include "support/surface_shapes.h"
 #include "surface/normals.h"
 #include "surface/repair.h"
+#include "surface/sharp_edges.h"
 
 using namespace lpq;
 using namespace lpq_test;
@@ -33,6 +36,20 @@ Index corners_of(const SurfaceFeatures& features) {
 /// A sheet of n x n squares, folded along x = n / 2 by a height of slope(j) on both sides.
 SurfaceSoup ridge(int n, const std::vector<double>& slope) {
   return sheet_soup(n, [&](int i, int j) { return -slope[j] * std::abs(i - n / 2); });
+}
+
+/// Every vertex thrown about by up to `most` in each direction.
+SurfaceMesh noisy(SurfaceMesh mesh, double most) {
+  Rng rng(11);
+  for (Vec3& p : mesh.points)
+    p += {rng.between(-most, most), rng.between(-most, most), rng.between(-most, most)};
+  return mesh;
+}
+
+Index sharp_edges_of(const SurfaceMesh& mesh) {
+  const auto angles = edge_angles(mesh, surface_edges(mesh.triangles, mesh.vertex_count()));
+  return static_cast<Index>(
+      std::count_if(angles.begin(), angles.end(), [](double angle) { return angle > 40; }));
 }
 
 }  // namespace
@@ -194,4 +211,45 @@ TEST_CASE("needles in a plane do not make it sharp") {
   const SurfaceMesh mesh = mesh_of(soup);
   for (const Vec3 n : triangle_normals(mesh)) CHECK(n.z > 0.99);
   CHECK(count_of(features_of(mesh, 0.1), FeatureKind::sharp) == 0);
+}
+
+TEST_CASE("sharp edges that noise leaves on round surfaces are no features") {
+  const SurfaceMesh ball = noisy(sphere(12), 0.02), ring = noisy(torus(96, 48, 1, 0.4), 0.01);
+  for (const SurfaceMesh* mesh : {&ball, &ring}) {
+    CHECK(sharp_edges_of(*mesh) > 20);
+    const auto features = features_of(*mesh, 0.15);
+    CHECK(count_of(features, FeatureKind::sharp) == 0);
+    CHECK(features.face_count == 1);
+  }
+}
+
+TEST_CASE("noise takes no edge from a box, however large the mesh") {
+  const SurfaceMesh box = noisy(mesh_of(box_soup({1, 1, 1}, 6)), 0.004);
+  for (const double size : {0.1, 0.3, 0.5}) {
+    const auto features = features_of(box, size);
+    CHECK(count_of(features, FeatureKind::sharp) == 72);
+    CHECK(features.face_count == 6);
+  }
+}
+
+TEST_CASE("a crease on an uneven surface is kept whole if it is long for the mesh size") {
+  Rng rng(5);
+  std::vector<double> bumps(21 * 21);
+  for (double& z : bumps) z = rng.between(-0.14, 0.14);
+  const SurfaceMesh mesh = mesh_of(
+      sheet_soup(20, [&](int i, int j) { return bumps[21 * i + j] - 0.6 * std::abs(i - 10); }));
+  const auto on_crease = [&](const SurfaceFeatures& features) {
+    Index count = 0;
+    for (Index i = 0; i < features.edges.count(); ++i) {
+      const auto& [a, b] = features.edges.ends[i];
+      const bool along = mesh.points[a].x == 10 && mesh.points[b].x == 10;
+      count += along && features.kind[i] == FeatureKind::sharp;
+    }
+    return count;
+  };
+  CHECK(sharp_edges_of(mesh) >= 20);
+  const auto fine = features_of(mesh, 2);
+  CHECK(on_crease(fine) == 20);
+  CHECK(count_of(fine, FeatureKind::sharp) == 20);
+  CHECK(count_of(features_of(mesh, 2, {.angle = 180}), FeatureKind::sharp) == 0);
 }
