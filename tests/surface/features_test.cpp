@@ -47,7 +47,8 @@ SurfaceMesh noisy(SurfaceMesh mesh, double most) {
 }
 
 Index sharp_edges_of(const SurfaceMesh& mesh) {
-  const auto angles = edge_angles(mesh, surface_edges(mesh.triangles, mesh.vertex_count()));
+  const auto angles = edge_angles(mesh, std::vector<double>(mesh.points.size(), 1),
+                                  surface_edges(mesh.triangles, mesh.vertex_count()));
   return static_cast<Index>(
       std::count_if(angles.begin(), angles.end(), [](double angle) { return angle > 40; }));
 }
