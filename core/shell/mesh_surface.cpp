@@ -10,13 +10,8 @@
 #include "pipeline/shape_options.h"
 #include "pipeline/stage_timer.h"
 #include "shell/check.h"
-#include "shell/mesh_charts.h"
 #include "shell/place.h"
-#include "shell/smaller.h"
-#include "shell/topology.h"
-#include "surface/components.h"
-#include "surface/corners.h"
-#include "surface/normals.h"
+#include "shell/rounds.h"
 #include "surface/repair_warnings.h"
 #include "surface/size_field.h"
 
@@ -24,14 +19,6 @@ namespace lpq {
 namespace {
 
 constexpr double default_quads = 3000;
-constexpr double default_growth = 0.3;
-// Where there is no mesh it is tried again with smaller sizes: first near the faults alone.
-constexpr int most_rounds = 12;
-constexpr int local_rounds = 3;
-// A mesh that is only too coarse in places is good enough after so many.
-constexpr int most_doubts = 2;
-constexpr double one_point = 1e-12;                           // of the diagonal
-constexpr std::size_t most_faults = 100, most_doubtful = 30;  // that a round looks at
 
 }  // namespace
 
@@ -59,10 +46,10 @@ class SurfaceMesher::Run {
   }
 
   bool mesh_planes(int threads, Monitor monitor) {
-    if (stage_ != SurfaceStage::mesh || !charts_ || charts_->chart() > 0) return true;
+    if (stage_ != SurfaceStage::mesh) return true;
     const StageTimer timer = timed("mesh");
     const auto count = static_cast<int>(atlas().charts.size());
-    return charts_->mesh_planes(threads, [&](Index over) {
+    return rounds_->mesh_planes(threads, [&](Index over) {
       return monitor(Progress{stage_name(stage_), over, count});
     });
   }
@@ -71,23 +58,27 @@ class SurfaceMesher::Run {
   const SurfaceOptions& options() const { return options_; }
   const SurfaceMesh& surface() const { return outcome_.surface; }
   const SurfaceFeatures& features() const { return features_; }
-  std::span<const double> sizes() const { return size_; }
+  std::span<const double> sizes() const {
+    return rounds_ ? rounds_->size() : std::span<const double>(size_);
+  }
   const SurfaceCrossField& cross_field() const { return cross_; }
   const Atlas& atlas() const { return outcome_.atlas; }
   Index charts_meshed() const {
-    if (charts_) return charts_->chart();
+    if (charts() != nullptr) return charts()->chart();
     return stage_ > SurfaceStage::mesh ? static_cast<Index>(outcome_.atlas.charts.size()) : 0;
   }
   /// Of the stage's work.
   double share() const {
     if (seams_) return seams_->share();
     if (shape_) return shape_->share();
-    if (!charts_ || outcome_.atlas.charts.empty()) return 0;
-    return static_cast<double>(charts_->chart()) /
+    if (charts() == nullptr || outcome_.atlas.charts.empty()) return 0;
+    return static_cast<double>(charts()->chart()) /
            static_cast<double>(outcome_.atlas.charts.size());
   }
-  const ChartsMesher* charts() const { return charts_ ? &*charts_ : nullptr; }
-  const ShellMesh& mesh() const { return charts_ ? charts_->result().mesh : outcome_.mesh; }
+  const ChartsMesher* charts() const { return rounds_ ? rounds_->charts() : nullptr; }
+  const ShellMesh& mesh() const {
+    return stage_ == SurfaceStage::mesh ? rounds_->mesh() : outcome_.mesh;
+  }
   const ShellOutcome& outcome() const { return outcome_; }
 
  private:
@@ -130,7 +121,7 @@ class SurfaceMesher::Run {
     sizes.size = h;
     sizes.at_vertices = asked_;
     sizes.largest_turn = options_.turn * pi / 180;
-    sizes.growth = growth();
+    sizes.growth = growth_of(options_);
     auto size = surface_sizes(surface(), feature_, sizes);
     if (!size) return size.error();
     size_ = std::move(*size);
@@ -163,135 +154,18 @@ class SurfaceMesher::Run {
   std::optional<Error> make_atlas() {
     const StageTimer timer = timed("charts");
     outcome_.atlas = make_charts(surface(), feature_);
-    lines_ = features_;
-    for (Index e = 0; e < static_cast<Index>(feature_.size()); ++e) {
-      FeatureKind& kind = lines_.kind[lines_.edges.edge_of[e]];
-      if (outcome_.atlas.cut[e] && kind == FeatureKind::smooth) kind = FeatureKind::marked;
-    }
-    // Features may divide a chart: what lies between lines needs an even border each.
-    Components parts = components_of(surface().twins, lines_.half_edges());
-    lines_.face = std::move(parts.of_triangle);
-    lines_.face_count = parts.count;
+    rounds_.emplace(Cut{surface(), features_, cross_, atlas()}, std::move(size_), options_);
     return std::nullopt;
-  }
-
-  Charted charted() const {
-    return {surface(), features_, cross_, size_, outcome_.atlas, lines_, curves_, nodes_};
   }
 
   std::optional<Error> mesh_more() {
     const StageTimer timer = timed("mesh");
-    if (!charts_) return start_round();
-    charts_->step();
-    if (!charts_->done()) return std::nullopt;
-    MeshedCharts made = charts_->take();
-    charts_.reset();
-    outcome_.mesh = std::move(made.mesh);
-    std::vector<Fault> faults = faults_of(made.failures);
-    if (faults.empty()) faults = faults_at(check_shell(surface(), outcome_.mesh, most_faults));
-    if (!faults.empty()) return try_again(faults);
+    if (auto error = rounds_->step()) return error;
+    outcome_.report.rounds = rounds_->round();
+    if (!rounds_->done()) return std::nullopt;
+    outcome_.mesh = rounds_->mesh();
     stage_ = SurfaceStage::seams;
-    refine_doubts();
     return std::nullopt;
-  }
-
-  /// Another round where the mesh is too coarse, with this one kept: for as long as that helps.
-  void refine_doubts() {
-    const auto doubts = faults_at(check_places(
-        outcome_.mesh.points, outcome_.mesh.faces, one_point * bounding_diagonal(surface().points),
-        most_doubtful, bodies_at(surface(), outcome_.mesh.places)));
-    if (kept_ && doubts.size() >= kept_->doubts) {
-      take_kept();
-      return;
-    }
-    if (doubts_ == most_doubts || outcome_.report.rounds == most_rounds) return;
-    // Very many: the size is too coarse all over, and that is the caller's wish.
-    if (doubts.empty() || doubts.size() == most_doubtful) return;
-    ++doubts_;
-    kept_ = {outcome_.mesh, size_, curves_, nodes_, doubts.size()};
-    (void)try_again(doubts);
-  }
-
-  std::optional<Error> start_round() {
-    mark_corners(surface(), size_, FeatureOptions{}.corner_angle, lines_);
-    kept_vertices_.resize(lines_.corner.size(), 0);
-    for (std::size_t v = 0; v < lines_.corner.size(); ++v)
-      lines_.corner[v] = lines_.corner[v] || features_.corner[v] || kept_vertices_[v];
-    curves_ = trace_curves(surface(), lines_);
-    auto nodes = mesh_curves(surface(), lines_, curves_, size_);
-    if (!nodes) return nodes.error();
-    nodes_ = std::move(*nodes);
-    // A quad has four corners.
-    if (static_cast<double>(nodes_.points.size()) > 4.0 * options_.max_elements)
-      return Error{ErrorCode::too_many_elements,
-                   "The curves of the surface alone need " + std::to_string(nodes_.points.size()) +
-                       " nodes, too many for " + std::to_string(options_.max_elements) +
-                       " elements. Use a larger size or raise maxElements.",
-                   {}};
-    charts_.emplace(charted(), chart_options(options_), made_);
-    return std::nullopt;
-  }
-
-  double growth() const { return options_.growth > 0 ? options_.growth : default_growth; }
-
-  std::vector<Fault> faults_of(std::vector<ChartFailure>& failures) const {
-    std::vector<Fault> faults;
-    for (ChartFailure& failure : failures)
-      faults.push_back(
-          {std::move(failure.error), failure.place, outcome_.atlas.charts[failure.chart].vertex});
-    return faults;
-  }
-
-  std::vector<Fault> faults_at(const std::vector<Violation>& violations) const {
-    std::vector<Fault> faults;
-    for (const Violation& wrong : violations) {
-      faults.push_back({{ErrorCode::no_valid_mesh, wrong.what, {}}, {}, {}});
-      if (wrong.vertex != none) faults.back().place = outcome_.mesh.places[wrong.vertex];
-    }
-    return faults;
-  }
-
-  /// Another round with smaller sizes, unless there have been enough.
-  std::optional<Error> try_again(const std::vector<Fault>& faults) {
-    Index& round = outcome_.report.rounds;
-    if (round > 1) keep_vertices(faults);
-    if (round == most_rounds ||
-        !make_smaller(surface(), faults, round > local_rounds, growth(), size_))
-      return take_kept() ? std::nullopt : std::optional(failed(faults.front()));
-    ++round;
-    stage_ = SurfaceStage::mesh;
-    return std::nullopt;
-  }
-
-  /// Chords that cut the vertices of thin charts may cross at every size.
-  void keep_vertices(const std::vector<Fault>& faults) {
-    for (const Fault& fault : faults)
-      for (const Index v : fault.everywhere) kept_vertices_[v] = 1;
-  }
-
-  bool take_kept() {
-    if (!kept_) return false;
-    outcome_.mesh = std::move(kept_->mesh);
-    size_ = std::move(kept_->size);
-    curves_ = std::move(kept_->curves);
-    nodes_ = std::move(kept_->nodes);
-    kept_.reset();
-    stage_ = SurfaceStage::seams;
-    return true;
-  }
-
-  Error failed(const Fault& fault) const {
-    Vec3 at;
-    if (fault.place.triangle != none)
-      at = point_at(surface(), fault.place);
-    else if (!fault.everywhere.empty())
-      at = surface().points[fault.everywhere[0]];
-    else
-      return {ErrorCode::no_valid_mesh, "No valid mesh was found: " + fault.error.message, {}};
-    return {ErrorCode::no_valid_mesh,
-            "No mesh was found for the part of the surface near (" + short_number(at.x) + ", " +
-                short_number(at.y) + ", " + short_number(at.z) + "): " + fault.error.message,
-            {}};
   }
 
   /// The paper's chain ends where the charts are lifted.
@@ -305,7 +179,7 @@ class SurfaceMesher::Run {
   std::optional<Error> finish_seams() {
     const StageTimer timer = timed("seams");
     if (!seams_) {
-      seams_.emplace(charted(), chart_options(options_), ShellMesh(outcome_.mesh));
+      seams_.emplace(rounds_->charted(), chart_options(options_), ShellMesh(outcome_.mesh));
       return std::nullopt;
     }
     if (seams_->step()) return std::nullopt;
@@ -322,7 +196,7 @@ class SurfaceMesher::Run {
     {
       const StageTimer timer = timed("shape");
       if (!shape_) {
-        shape_.emplace(charted(), shape_options(), ShellMesh(outcome_.mesh));
+        shape_.emplace(rounds_->charted(), shape_options(), ShellMesh(outcome_.mesh));
         return std::nullopt;
       }
       if (shape_->step()) return std::nullopt;
@@ -335,7 +209,7 @@ class SurfaceMesher::Run {
 
   std::optional<Error> sum_up() {
     const StageTimer timer = timed("summary");
-    summarise(features_, cross_, size_, outcome_);
+    summarise(features_, cross_, sizes(), outcome_);
     stage_ = SurfaceStage::done;
     return std::nullopt;
   }
@@ -354,25 +228,12 @@ class SurfaceMesher::Run {
   SurfaceOptions options_;
   SurfaceStage stage_ = SurfaceStage::features;
   ShellOutcome outcome_;
-  SurfaceFeatures features_, lines_;
-  std::vector<char> feature_;        // #half-edges
-  std::vector<double> asked_;        // #V or empty, by the caller; 0 = no size there
-  std::vector<double> size_;         // #V
-  std::vector<char> kept_vertices_;  // #V  that curves have nodes on
+  SurfaceFeatures features_;
+  std::vector<char> feature_;  // #half-edges
+  std::vector<double> asked_;  // #V or empty, by the caller; 0 = no size there
+  std::vector<double> size_;   // #V  until the rounds take it
   SurfaceCrossField cross_;
-  SurfaceCurves curves_;
-  CurveMesh nodes_;
-  PlaneMeshes made_;
-  struct Kept {
-    ShellMesh mesh;
-    std::vector<double> size;
-    SurfaceCurves curves;
-    CurveMesh nodes;
-    std::size_t doubts = 0;  // places where it is too coarse
-  };
-  std::optional<Kept> kept_;            // good enough, while a better one is tried
-  int doubts_ = 0;                      // rounds for meshes that were too coarse in places
-  std::optional<ChartsMesher> charts_;  // while they are meshed
+  std::optional<ChartRounds> rounds_;   // from the stage `mesh` on
   std::optional<SeamFinisher> seams_;   // in their stage
   std::optional<ShapeFinisher> shape_;  // in its stage
 };

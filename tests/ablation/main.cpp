@@ -21,6 +21,7 @@
 #include "mesh/quality.h"
 #include "patches/remesh.h"
 #include "pipeline/prepare.h"
+#include "pipeline/shape_options.h"
 #include "recombine/recombine.h"
 
 using namespace lpq;
@@ -29,7 +30,7 @@ namespace {
 
 struct Variant {
   const char* name;
-  bool cavities = true, patches = true, rounded = true;
+  bool cavities = true, patches = true, rounded = true, annealed = false;
   double size = 0.12;  // Options::size_weight
   int smoothing = 300;
   std::vector<PatchPass> passes{{20}, {60}, {200}};
@@ -43,8 +44,7 @@ const Variant variants[] = {
     {.name = "without the size terms", .size = 0},
     {.name = "without rounding of kinks", .rounded = false},
     {.name = "without the last smoothing", .smoothing = 0},
-    {.name = "with annealing",
-     .passes = {{20}, {60}, {200}, {200, 0.8, 80}, {200, 0.3, 80}, {60}, {200}}},
+    {.name = "with annealing", .annealed = true},
 };
 
 struct Sums {
@@ -63,6 +63,13 @@ double forced_irregularity(const QuadMesh& mesh, const IdealValence& ideal,
   for (Index v = 0; v < mesh.fixed; ++v)
     sum -= 2.0 - ideal.sector_count(topology, v, topology.faces_of(v)[0]).ideal;
   return sum < 0 ? -sum : sum;
+}
+
+void remesh(const PatchOptions& options, const Fields& fields, QuadMesh& mesh) {
+  PatchRemesher remesher(std::move(mesh), fields, options);
+  while (remesher.step(1000)) {
+  }
+  mesh = remesher.mesh();
 }
 
 QuadMesh mesh_with(const Variant& variant, const Preparation& prepared) {
@@ -86,15 +93,19 @@ QuadMesh mesh_with(const Variant& variant, const Preparation& prepared) {
     options.energy = {.size_weight = smoothing.size_weight,
                       .area_weight = smoothing.area_weight,
                       .rounding = smoothing.rounding};
-    PatchRemesher remesher(std::move(mesh), prepared.fields, options);
-    while (remesher.step(1000)) {
+    remesh(options, prepared.fields, mesh);
+  }
+  const auto finish = [&] {
+    for (int done = 0; done < variant.smoothing; done += smoothing.iterations) {
+      smooth_eta(mesh, prepared.fields, smoothing);
+      if (variant.rounded) smoothing.rounding = 0.003;
     }
-    mesh = remesher.mesh();
-  }
-  for (int done = 0; done < variant.smoothing; done += smoothing.iterations) {
-    smooth_eta(mesh, prepared.fields, smoothing);
-    if (variant.rounded) smoothing.rounding = 0.003;
-  }
+  };
+  finish();
+  if (!variant.annealed) return mesh;
+  remesh(annealing_options({}), prepared.fields, mesh);
+  smoothing.rounding = coarse_rounding;
+  finish();
   return mesh;
 }
 

@@ -1,0 +1,172 @@
+// See rounds.h.
+#include "shell/rounds.h"
+
+#include "shell/check.h"
+#include "shell/place.h"
+#include "shell/topology.h"
+#include "surface/components.h"
+#include "surface/corners.h"
+#include "surface/normals.h"
+
+namespace lpq {
+namespace {
+
+constexpr double default_growth = 0.3;
+// Sizes become smaller near the faults alone at first.
+constexpr Index most_rounds = 12, local_rounds = 3;
+// A mesh that is only too coarse in places is good enough after so many.
+constexpr int most_doubts = 2;
+constexpr double one_point = 1e-12;                           // of the diagonal
+constexpr std::size_t most_faults = 100, most_doubtful = 30;  // that a round looks at
+
+SurfaceFeatures features_and_cuts(const Cut& cut) {
+  SurfaceFeatures lines = cut.features;
+  for (std::size_t e = 0; e < cut.atlas.cut.size(); ++e) {
+    FeatureKind& kind = lines.kind[lines.edges.edge_of[e]];
+    if (cut.atlas.cut[e] && kind == FeatureKind::smooth) kind = FeatureKind::marked;
+  }
+  // Features may divide a chart: what lies between lines needs an even border each.
+  Components parts = components_of(cut.surface.twins, lines.half_edges());
+  lines.face = std::move(parts.of_triangle);
+  lines.face_count = parts.count;
+  return lines;
+}
+
+}  // namespace
+
+double growth_of(const SurfaceOptions& options) {
+  return options.growth > 0 ? options.growth : default_growth;
+}
+
+ChartRounds::ChartRounds(const Cut& cut, std::vector<double> size, const SurfaceOptions& options)
+    : cut_(cut),
+      options_(options),
+      lines_(features_and_cuts(cut)),
+      size_(std::move(size)),
+      kept_vertices_(cut.surface.points.size(), 0) {}
+
+ChartRounds::~ChartRounds() = default;
+
+Charted ChartRounds::charted() const {
+  return {cut_.surface, cut_.features, cut_.cross, size_, cut_.atlas, lines_, curves_, nodes_};
+}
+
+bool ChartRounds::mesh_planes(int threads, FunctionRef<bool(Index)> keep_going) {
+  return !charts_ || charts_->chart() > 0 || charts_->mesh_planes(threads, keep_going);
+}
+
+std::optional<Error> ChartRounds::step() {
+  if (!charts_) return start_round();
+  charts_->step();
+  if (!charts_->done()) return std::nullopt;
+  MeshedCharts made = charts_->take();
+  charts_.reset();
+  return end_round(std::move(made));
+}
+
+std::optional<Error> ChartRounds::start_round() {
+  mark_corners(cut_.surface, size_, FeatureOptions{}.corner_angle, lines_);
+  for (std::size_t v = 0; v < lines_.corner.size(); ++v)
+    lines_.corner[v] = lines_.corner[v] || cut_.features.corner[v] || kept_vertices_[v];
+  curves_ = trace_curves(cut_.surface, lines_);
+  auto nodes = mesh_curves(cut_.surface, lines_, curves_, size_);
+  if (!nodes) return nodes.error();
+  nodes_ = std::move(*nodes);
+  // A quad has four corners.
+  if (static_cast<double>(nodes_.points.size()) > 4.0 * options_.max_elements)
+    return Error{ErrorCode::too_many_elements,
+                 "The curves of the surface alone need " + std::to_string(nodes_.points.size()) +
+                     " nodes, too many for " + std::to_string(options_.max_elements) +
+                     " elements. Use a larger size or raise maxElements.",
+                 {}};
+  charts_.emplace(charted(), chart_options(options_), made_);
+  return std::nullopt;
+}
+
+std::optional<Error> ChartRounds::end_round(MeshedCharts made) {
+  mesh_ = std::move(made.mesh);
+  std::vector<Fault> faults = faults_of(made.failures);
+  if (faults.empty()) faults = faults_at(check_shell(cut_.surface, mesh_, most_faults));
+  if (!faults.empty()) return try_again(faults);
+  done_ = true;
+  refine_doubts();
+  return std::nullopt;
+}
+
+/// Another round where the mesh is too coarse, with this one kept: for as long as that helps.
+void ChartRounds::refine_doubts() {
+  const auto doubts = faults_at(check_places(mesh_.points, mesh_.faces,
+                                             one_point * bounding_diagonal(cut_.surface.points),
+                                             most_doubtful, bodies_at(cut_.surface, mesh_.places)));
+  if (kept_ && doubts.size() >= kept_->doubts) {
+    take_kept();
+    return;
+  }
+  if (doubts_ == most_doubts || round_ == most_rounds) return;
+  // Very many: the size is too coarse all over, and that is the caller's wish.
+  if (doubts.empty() || doubts.size() == most_doubtful) return;
+  ++doubts_;
+  kept_ = {mesh_, size_, curves_, nodes_, doubts.size()};
+  (void)try_again(doubts);
+}
+
+std::vector<Fault> ChartRounds::faults_of(std::vector<ChartFailure>& failures) const {
+  std::vector<Fault> faults;
+  for (ChartFailure& failure : failures)
+    faults.push_back(
+        {std::move(failure.error), failure.place, cut_.atlas.charts[failure.chart].vertex});
+  return faults;
+}
+
+std::vector<Fault> ChartRounds::faults_at(const std::vector<Violation>& violations) const {
+  std::vector<Fault> faults;
+  for (const Violation& wrong : violations) {
+    faults.push_back({{ErrorCode::no_valid_mesh, wrong.what, {}}, {}, {}});
+    if (wrong.vertex != none) faults.back().place = mesh_.places[wrong.vertex];
+  }
+  return faults;
+}
+
+/// Another round with smaller sizes, unless there have been enough.
+std::optional<Error> ChartRounds::try_again(const std::vector<Fault>& faults) {
+  if (round_ > 1) keep_vertices(faults);
+  if (round_ == most_rounds ||
+      !make_smaller(cut_.surface, faults, round_ > local_rounds, growth_of(options_), size_))
+    return take_kept() ? std::nullopt : std::optional(failed(faults.front()));
+  ++round_;
+  done_ = false;
+  return std::nullopt;
+}
+
+/// Chords that cut the vertices of thin charts may cross at every size.
+void ChartRounds::keep_vertices(const std::vector<Fault>& faults) {
+  for (const Fault& fault : faults)
+    for (const Index v : fault.everywhere) kept_vertices_[v] = 1;
+}
+
+bool ChartRounds::take_kept() {
+  if (!kept_) return false;
+  mesh_ = std::move(kept_->mesh);
+  size_ = std::move(kept_->size);
+  curves_ = std::move(kept_->curves);
+  nodes_ = std::move(kept_->nodes);
+  kept_.reset();
+  done_ = true;
+  return true;
+}
+
+Error ChartRounds::failed(const Fault& fault) const {
+  Vec3 at;
+  if (fault.place.triangle != none)
+    at = point_at(cut_.surface, fault.place);
+  else if (!fault.everywhere.empty())
+    at = cut_.surface.points[fault.everywhere[0]];
+  else
+    return {ErrorCode::no_valid_mesh, "No valid mesh was found: " + fault.error.message, {}};
+  return {ErrorCode::no_valid_mesh,
+          "No mesh was found for the part of the surface near (" + short_number(at.x) + ", " +
+              short_number(at.y) + ", " + short_number(at.z) + "): " + fault.error.message,
+          {}};
+}
+
+}  // namespace lpq
