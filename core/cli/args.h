@@ -39,8 +39,8 @@ void each_field(O& o, F&& visit) {
   each_field(o.write, visit);
   visit("threads", o.threads,
         FieldInfo{0, 1024, "",
-                  "For the charts of a surface, with the same result; 0 = as many as the machine "
-                  "runs at once."});
+                  "For the charts of a surface, with the same result (native program); 0 = as many "
+                  "as the machine runs at once."});
   visit("quiet", o.quiet, FieldInfo{0, 0, "", "Print nothing but errors."});
 }
 

@@ -90,8 +90,10 @@ std::vector<SizeSample> sizes_at_points(const UnitFrame& frame, const UserFields
   std::vector<SizeSample> sizes;
   if (user.size) return sizes;  // wins over them
   for (const UserFields::SizeAt& s : user.sizes)
-    if (is_finite(s.position) && s.h > 0 && !std::isinf(s.h))
-      sizes.push_back({frame.to_frame(s.position), frame.length_to_frame(s.h)});
+    // Far beyond the domain the unit frame may overflow.
+    if (const SizeSample at{frame.to_frame(s.position), frame.length_to_frame(s.h)};
+        is_finite(at.position) && at.h > 0 && !std::isinf(at.h))
+      sizes.push_back(at);
   return sizes;
 }
 

@@ -145,17 +145,19 @@ bool ChartsMesher::mesh_planes(int threads, FunctionRef<bool(Index)> keep_going)
   std::vector<std::uint64_t> keys(count);
   std::atomic<Index> over{0};
   std::atomic<bool> go_on{true};
-  share_out(count, threads, [&](std::size_t chart, int thread) {
+  const auto ask = [&] { go_on = go_on && keep_going(over); };
+  const auto mesh = [&](std::size_t chart, int thread) {
     if (!go_on) return;
     const std::unique_ptr<Job> job = open(static_cast<Index>(chart));
     keys[chart] = job->key;
     const bool known = made_.find(job->key) != made_.end();
     while (!known && go_on && !meshes[chart]) {
       meshes[chart] = step_in(*job);
-      if (thread == 0 && !keep_going(over)) go_on = false;
+      if (thread == 0) ask();
     }
     ++over;
-  });
+  };
+  share_out(count, threads, mesh, ask);
   for (std::size_t chart = 0; chart < count; ++chart)
     if (meshes[chart]) made_.emplace(keys[chart], std::move(*meshes[chart]));
   return go_on;

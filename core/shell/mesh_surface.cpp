@@ -19,6 +19,7 @@ namespace lpq {
 namespace {
 
 constexpr double default_quads = 3000;
+constexpr int most_threads = 4;  // for each that the machine runs at once
 
 }  // namespace
 
@@ -290,7 +291,7 @@ Progress progress_of(const SurfaceMesher& mesher) {
 
 Result<ShellOutcome> mesh_surface(SurfaceSoup soup, const SurfaceOptions& options, Monitor monitor,
                                   int threads) {
-  if (threads <= 0) threads = machine_threads();
+  threads = threads <= 0 ? machine_threads() : std::min(threads, most_threads * machine_threads());
   const Error cancelled{ErrorCode::cancelled, "The run was cancelled.", {}};
   auto mesher = SurfaceMesher::start(std::move(soup), options);
   if (!mesher) return mesher.error();

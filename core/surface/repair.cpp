@@ -56,8 +56,28 @@ class Repair {
                        {}};
         used_[v] = 1;
       }
+    if (auto checked = check_labels("group", soup_.group, soup_.group_names.size()); !checked)
+      return checked;
+    // Bodies need no names.
+    const std::size_t most_bodies = std::max(soup_.body_names.size(), soup_.triangles.size());
+    if (auto checked = check_labels("body", soup_.body, most_bodies); !checked) return checked;
     if (auto checked = check_sizes(); !checked) return checked;
     return check_points();
+  }
+
+  /// One label below `count` for each triangle, or none at all.
+  Result<int> check_labels(const char* what, const std::vector<Index>& labels,
+                           std::size_t count) const {
+    if (labels.empty()) return 0;
+    const auto most = static_cast<Index>(count);
+    const auto is_wrong = [most](Index label) { return label < 0 || label >= most; };
+    if (labels.size() == soup_.triangles.size() &&
+        std::none_of(labels.begin(), labels.end(), is_wrong))
+      return 0;
+    return Error{ErrorCode::parse_error,
+                 std::string("Every triangle needs a ") + what +
+                     ", counted from 0, as many as there are names; give one for each, or none.",
+                 {}};
   }
 
   Result<int> check_sizes() const {

@@ -121,6 +121,20 @@ TEST_CASE("the charts of a surface are written on request") {
                  "written twice"));
 }
 
+TEST_CASE("threads make the same file") {
+  const ScratchFolder folder("surface_threads");
+  const std::string box = folder.write("box.stl", box_stl());
+  std::string alone;
+  for (const char* threads : {"1", "2", "5"}) {
+    const std::string obj = folder / (std::string("x") + threads + ".obj");
+    CHECK(run({"mesh", box, "-o", obj, "--threads", threads, "--quiet"}).code == 0);
+    const std::string bytes = file_text(obj);
+    if (alone.empty()) alone = bytes;
+    CHECK(bytes == alone);
+  }
+  CHECK(run({"mesh", box, "-o", folder / "y.obj", "--threads", "-1"}).code == 2);
+}
+
 TEST_CASE("what surfaces do not have is refused in words") {
   const ScratchFolder folder("surface_refused");
   const std::string box = folder.write("box.stl", box_stl());

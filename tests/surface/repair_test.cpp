@@ -251,6 +251,21 @@ TEST_CASE("sizes follow their points, the least of those that are welded") {
   CHECK(refused(soup) == ErrorCode::bad_size);
 }
 
+TEST_CASE("groups and bodies are one for each triangle, and no others") {
+  SurfaceSoup soup = box_soup({1, 1, 1}, 1);
+  const std::size_t count = soup.triangles.size();
+  const std::vector<std::vector<Index>> wrong{std::vector<Index>(count - 1, 0),
+                                              std::vector<Index>(count, -1),
+                                              std::vector<Index>(count, 2'000'000'000)};
+  for (const std::vector<Index>& labels : wrong) {
+    SurfaceSoup grouped = soup, bodied = soup;
+    grouped.group = labels;
+    bodied.body = labels;
+    CHECK(refused(grouped) == ErrorCode::parse_error);
+    CHECK(refused(bodied) == ErrorCode::parse_error);
+  }
+}
+
 TEST_CASE("groups follow their triangles") {
   SurfaceSoup soup = box_soup({1, 1, 1}, 2);
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)
