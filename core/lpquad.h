@@ -3,6 +3,7 @@
 
 #include "domain/domain.h"
 #include "mesh/output_mesh.h"
+#include "pipeline/mesh_domain.h"
 #include "pipeline/mesher.h"
 #include "pipeline/options.h"
 #include "pipeline/report.h"

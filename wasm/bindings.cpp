@@ -14,6 +14,7 @@
 #include "marshal.h"
 #include "mesh/quality.h"
 #include "options.h"
+#include "pipeline/mesh_domain.h"
 #include "pipeline/session.h"
 #include "pipeline/snapshot.h"
 

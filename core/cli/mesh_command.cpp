@@ -18,7 +18,7 @@
 #include "io/report.h"
 #include "io/stages.h"
 #include "io/surface/surface_format.h"
-#include "pipeline/mesher.h"
+#include "pipeline/mesh_domain.h"
 
 namespace lpq {
 namespace {

@@ -7,7 +7,6 @@
 #include "delaunay/delaunay.h"
 #include "lpcvt/seeds.h"
 #include "pipeline/finish.h"
-#include "pipeline/iterate_log.h"
 #include "pipeline/shape_options.h"
 #include "pipeline/stage_timer.h"
 #include "recombine/recombine.h"
@@ -16,10 +15,6 @@
 namespace lpq {
 namespace {
 
-// Iterations of L_p when the caller leaves the choice to us: "eighty iterations are usually
-// sufficient" (paper section 3.3.3); an aligned start is already where L_p would lead.
-constexpr int isotropic_iterations = 80;
-
 // Final smoothing when the caller leaves the choice to us, and its iterations per step.
 constexpr int paper_smoothing = 100, best_smoothing = 300, long_smoothing = 600;
 constexpr int smoothing_block = 100;
@@ -27,18 +22,10 @@ constexpr double fine_rounding = 0.003;  // of the final smoothing, after a bloc
 constexpr double least_gain = 2e-4;      // of mean eta, that another block is worth
 constexpr int seeds_per_step = 50;
 
-const char* seeds_name(Seeds seeds) { return seeds == Seeds::isotropic ? "isotropic" : "aligned"; }
-
 // Of two valid meshes the one with fewer triangles, then the better mix of shape and regularity.
 bool better(const QuadQuality& a, const QuadQuality& b) {
   if (a.triangles != b.triangles) return a.triangles < b.triangles;
   return a.eta_mean + 0.01 * a.four_valent_percent > b.eta_mean + 0.01 * b.four_valent_percent;
-}
-
-// After a step of L_p; once that is over, its optimiser is gone.
-int iterations_done(const Mesher& mesher) {
-  if (mesher.stage() == Stage::optimise) return mesher.iterations();
-  return static_cast<int>(mesher.report().energy_history.size()) - 1;
 }
 
 Error describe(const std::vector<Violation>& violations) {
@@ -88,31 +75,8 @@ Result<Mesher> Mesher::start(const DomainInput& input, const Options& options,
   report.warnings = p.domain.warnings;
   report.warnings.insert(report.warnings.end(), p.boundary.warnings.begin(),
                          p.boundary.warnings.end());
-  mesher.plan_attempts();
+  mesher.attempts_ = plan_attempts(options, !p.seeds.empty());
   return mesher;
-}
-
-void Mesher::plan_attempts() {
-  const bool paper = options_.method == Method::paper;
-  Seeds seeds = options_.seeds;
-  if (seeds == Seeds::automatic) seeds = paper ? Seeds::isotropic : Seeds::aligned;
-  const bool isotropic = seeds == Seeds::isotropic;
-  const int asked = options_.iterations;
-  if (!prepared_->seeds.empty()) {
-    const int iterations = asked < 0 ? isotropic_iterations : asked;
-    attempts_.push_back({.given = true, .iterations = iterations});
-  } else if (isotropic || paper) {
-    attempts_.push_back({.seeds = seeds, .iterations = asked < 0 ? isotropic_iterations : asked});
-  } else {
-    // L_p can undo a good aligned start: with it and without it, the better mesh is kept.
-    attempts_.push_back({.seeds = seeds});
-    if (asked > 0) attempts_.push_back({.seeds = seeds, .iterations = asked, .alternative = true});
-  }
-  attempts_.push_back({.seeds = Seeds::aligned, .size_factor = 0.75});
-  if (options_.keep_boundary)
-    attempts_.push_back({.seeds = Seeds::isotropic, .iterations = 20, .size_factor = 0.6});
-  else
-    attempts_.push_back({.seeds = Seeds::isotropic, .size_factor = 1.5, .subdivide = true});
 }
 
 double Mesher::gradient_norm() const {
@@ -156,7 +120,7 @@ Result<Stage> Mesher::make_seeds() {
   seeds_ = std::move(*chosen);
   report_.seeds = static_cast<Index>(seeds_.size());
   report_.expected_seeds = expected_interior_points(nodes, *fields_);
-  report_.chain = attempt().given ? "given" : seeds_name(attempt().seeds);
+  report_.chain = start_name(attempt());
   if (trace_) trace_->seeds = seeds_;
 
   if (attempt().iterations > 0) {
@@ -376,29 +340,6 @@ Result<Stage> Mesher::next_attempt(const Error& failure) {
   optimizer_.reset();
   patches_.reset();
   return stage_ = Stage::seeds;
-}
-
-Result<Outcome> mesh_domain(const DomainInput& input, const Options& options, Monitor monitor,
-                            Trace* trace, const UserFields& user) {
-  auto mesher = Mesher::start(input, options, user);
-  if (!mesher) return mesher.error();
-  if (trace != nullptr) mesher->keep_trace();
-  IterateLog log;
-  while (mesher->stage() != Stage::done) {
-    const Progress progress{stage_name(mesher->stage()), mesher->iterations(),
-                            mesher->max_iterations(), mesher->energy()};
-    if (!monitor(progress)) return Error{ErrorCode::cancelled, "The run was cancelled.", {}};
-    const Stage before = mesher->stage();
-    if (const auto stage = mesher->step(); !stage) return stage.error();
-    if (trace == nullptr) continue;
-    if (before == Stage::seeds) log = IterateLog();  // another attempt
-    if (before == Stage::optimise) log.add(iterations_done(*mesher), mesher->triangles());
-  }
-  if (trace != nullptr) {
-    *trace = *mesher->trace();
-    trace->iterates = log.take();
-  }
-  return Outcome{mesher->output(), mesher->report()};
 }
 
 }  // namespace lpq

@@ -1,16 +1,17 @@
 // The order of the stages, and nothing else: fields, seeds, L_p, matching, clean-up,
 // patches, smoothing, final check; with high effort the last three once more, annealing the mesh.
-// A Mesher is a copyable value that advances in small steps; a batch run is a loop around it.
+// A Mesher is a copyable value that advances in small steps; a batch run is a loop around it
+// (mesh_domain.h).
 #pragma once
 
 #include <memory>
 #include <optional>
 
-#include "base/monitor.h"
 #include "base/result.h"
 #include "domain/domain.h"
 #include "mesh/output_mesh.h"
 #include "patches/remesh.h"
+#include "pipeline/attempts.h"
 #include "pipeline/options.h"
 #include "pipeline/prepare.h"
 #include "pipeline/report.h"
@@ -53,23 +54,12 @@ class Mesher {
   const Trace* trace() const { return trace_ ? &*trace_ : nullptr; }
 
  private:
-  // One chain of stages. The first is what was asked for; the others are tried only when the final
-  // check finds the mesh wanting.
-  struct Attempt {
-    Seeds seeds = Seeds::aligned;
-    bool given = false;  // start from the caller's points instead
-    int iterations = 0;
-    double size_factor = 1;
-    bool subdivide = false;    // three quads per triangle: always valid, never pretty
-    bool alternative = false;  // run even when the one before passed; the better mesh is kept
-  };
   struct Candidate {
     QuadMesh quads;
     OutputMesh output;
     Report report;
   };
 
-  void plan_attempts();
   const Attempt& attempt() const { return attempts_[attempt_]; }
   Result<Stage> make_seeds();
   Result<std::vector<Vec2>> choose_seeds() const;
@@ -107,16 +97,5 @@ class Mesher {
   std::optional<Candidate> kept_;
   std::optional<Trace> trace_;
 };
-
-struct Outcome {
-  OutputMesh mesh;
-  Report report;
-};
-
-/// The whole run. `monitor` is asked between steps; stopping gives the error `cancelled`. With a
-/// `trace` the intermediate values are left there.
-Result<Outcome> mesh_domain(const DomainInput& input, const Options& options = {},
-                            Monitor monitor = {}, Trace* trace = nullptr,
-                            const UserFields& user = {});
 
 }  // namespace lpq

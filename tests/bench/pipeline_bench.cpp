@@ -12,7 +12,7 @@
 #include <string>
 
 #include "bench.h"
-#include "pipeline/mesher.h"
+#include "pipeline/mesh_domain.h"
 #include "support/shapes.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "pipeline/finish.h"
-#include "pipeline/mesher.h"
+#include "pipeline/mesh_domain.h"
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include "delaunay/delaunay.h"
 #include "mesh/quality.h"
 #include "mesh/validate.h"
+#include "pipeline/mesh_domain.h"
 #include "pipeline/mesher.h"
 #include "pipeline/prepare.h"
 #include "recombine/recombine.h"

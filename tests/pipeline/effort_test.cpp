@@ -4,6 +4,7 @@
 #include "catch.h"
 #include "mesh/quality.h"
 #include "pipeline/finish.h"
+#include "pipeline/mesh_domain.h"
 #include "pipeline/mesher.h"
 #include "support/shapes.h"
 

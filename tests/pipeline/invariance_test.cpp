@@ -5,6 +5,7 @@
 #include <set>
 
 #include "catch.h"
+#include "pipeline/mesh_domain.h"
 #include "pipeline/mesher.h"
 #include "support/shapes.h"
 

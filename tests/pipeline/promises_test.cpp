@@ -5,7 +5,7 @@
 
 #include "catch.h"
 #include "pipeline/finish.h"
-#include "pipeline/mesher.h"
+#include "pipeline/mesh_domain.h"
 #include "support/shapes.h"
 
 using namespace lpq;

@@ -4,7 +4,7 @@
 
 #include "catch.h"
 #include "pipeline/finish.h"
-#include "pipeline/mesher.h"
+#include "pipeline/mesh_domain.h"
 #include "support/shapes.h"
 
 using namespace lpq;
@@ -29,7 +29,8 @@ void require_edges_present(const OutputMesh& mesh) {
 TEST_CASE("two regions that share an edge chain stay conforming") {
   DomainInput input;  // eighths are exact, so both regions name the same points on x = 1
   input.regions.push_back({"left", {sampled_polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 0.125)}, {}});
-  input.regions.push_back({"right", {sampled_polygon({{1, 0}, {2, 0}, {2, 1}, {1, 1}}, 0.125)}, {}});
+  input.regions.push_back(
+      {"right", {sampled_polygon({{1, 0}, {2, 0}, {2, 1}, {1, 1}}, 0.125)}, {}});
   const auto outcome = mesh_domain(input, {.keep_boundary = true});
   REQUIRE(outcome);
   CHECK(check_output(outcome->mesh).empty());

@@ -5,6 +5,7 @@
 
 #include "catch.h"
 #include "pipeline/iterate_log.h"
+#include "pipeline/mesh_domain.h"
 #include "pipeline/snapshot.h"
 #include "support/shapes.h"
 

@@ -1,0 +1,43 @@
+// See attempts.h.
+#include "pipeline/attempts.h"
+
+namespace lpq {
+namespace {
+
+// Iterations of L_p when the caller leaves the choice to us: "eighty iterations are usually
+// sufficient" (paper section 3.3.3); an aligned start is already where L_p would lead.
+constexpr int isotropic_iterations = 80;
+
+}  // namespace
+
+std::vector<Attempt> plan_attempts(const Options& options, bool seeds_given) {
+  std::vector<Attempt> attempts;
+  const bool paper = options.method == Method::paper;
+  Seeds seeds = options.seeds;
+  if (seeds == Seeds::automatic) seeds = paper ? Seeds::isotropic : Seeds::aligned;
+  const bool isotropic = seeds == Seeds::isotropic;
+  const int asked = options.iterations;
+  if (seeds_given) {
+    const int iterations = asked < 0 ? isotropic_iterations : asked;
+    attempts.push_back({.given = true, .iterations = iterations});
+  } else if (isotropic || paper) {
+    attempts.push_back({.seeds = seeds, .iterations = asked < 0 ? isotropic_iterations : asked});
+  } else {
+    // L_p can undo a good aligned start: with it and without it, the better mesh is kept.
+    attempts.push_back({.seeds = seeds});
+    if (asked > 0) attempts.push_back({.seeds = seeds, .iterations = asked, .alternative = true});
+  }
+  attempts.push_back({.seeds = Seeds::aligned, .size_factor = 0.75});
+  if (options.keep_boundary)
+    attempts.push_back({.seeds = Seeds::isotropic, .iterations = 20, .size_factor = 0.6});
+  else
+    attempts.push_back({.seeds = Seeds::isotropic, .size_factor = 1.5, .subdivide = true});
+  return attempts;
+}
+
+const char* start_name(const Attempt& attempt) {
+  if (attempt.given) return "given";
+  return attempt.seeds == Seeds::isotropic ? "isotropic" : "aligned";
+}
+
+}  // namespace lpq
