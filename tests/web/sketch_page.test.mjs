@@ -254,7 +254,7 @@ test('an odd boundary gets a node', async () => {
 test('sizes are painted and erased, guides drawn and erased', async () => {
   const page = await withPreset('square');
   const project = () => page.evaluate(() => globalThis.playground.store.project);
-  const quads = async () => Number(/(\d+) quads/.exec(await page.textContent('.stage-name'))[1]);
+  const quads = async () => Number(/([\d,]+) quads/.exec(await page.textContent('.stage-name'))[1].replace(',', ''));
   const coarse = await quads();
   await tool(page, 'brush');
   await drag(page, await onScreen(page, 0.2, 0.2), await onScreen(page, 0.4, 0.2));
