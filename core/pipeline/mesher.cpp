@@ -299,14 +299,21 @@ Result<Stage> Mesher::check() {
       candidate.report.warnings.push_back(warning);
   keep_better(std::move(candidate));
   if (begin_annealing()) return stage_;
-  if (attempt_ + 1 < attempts_.size() && attempts_[attempt_ + 1].alternative) {
-    ++attempt_;
-    return stage_ = Stage::seeds;
-  }
-  return take_kept();
+  return go_on();
+}
+
+// To the alternative that is left, or with what was kept.
+Stage Mesher::go_on() {
+  if (attempt_ + 1 == attempts_.size() || !attempts_[attempt_ + 1].alternative) return take_kept();
+  ++attempt_;
+  optimizer_.reset();
+  patches_.reset();
+  return stage_ = Stage::seeds;
 }
 
 Stage Mesher::take_kept() {
+  if (trace_ && output_hash(output_) != kept_->report.hash)
+    trace_->quads.push_back({"kept", kept_->quads});
   quads_ = kept_->quads;
   output_ = kept_->output;
   const auto times = report_.times;
@@ -331,7 +338,7 @@ void Mesher::keep_better(Candidate candidate) {
 }
 
 Result<Stage> Mesher::next_attempt(const Error& failure) {
-  if (kept_) return take_kept();  // an alternative failed
+  if (kept_) return go_on();  // the annealed mesh failed, or an alternative
   Warning warning = failure;
   warning.message = "The chain '" + report_.chain + "' did not pass: " + failure.message;
   report_.warnings.push_back(warning);

@@ -75,6 +75,7 @@ class Mesher {
   Index triangles_allowed() const;
   Result<Stage> next_attempt(const Error& failure);
   void keep_better(Candidate candidate);
+  Stage go_on();
   Stage take_kept();
 
   std::shared_ptr<const Preparation> prepared_;

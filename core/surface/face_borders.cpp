@@ -121,7 +121,7 @@ class Turns {
       gap = 0;
       bend_end_ = k + 1;
     }
-    bend_scale_ = 0.5 * pi * right_angles(all) / all;
+    bend_scale_ = all != 0 ? 0.5 * pi * right_angles(all) / all : 0;
   }
 
   /// The border began on the way along a curve; the end goes on in the direction of the start.

@@ -45,6 +45,20 @@ TEST_CASE("high effort never ends with a worse mesh than normal effort") {
   CHECK(better > 0);
 }
 
+TEST_CASE("the last of the quads recorded are those of the result") {
+  for (const DomainInput& input : {disc(0.1), hood(0.07), square(1, 0.1)})
+    for (const int iterations : {-1, 10}) {
+      Options options = high;
+      options.iterations = iterations;
+      Trace trace;
+      const auto outcome = mesh_domain(input, options, {}, &trace);
+      REQUIRE(outcome);
+      const QuadQuality recorded = quad_quality(trace.quads.back().mesh);
+      CHECK(recorded.quads == outcome->report.quality.quads);
+      CHECK(recorded.eta_mean == outcome->report.quality.eta_mean);
+    }
+}
+
 TEST_CASE("where all is perfect, high effort changes nothing") {
   const DomainInput input = square(1, 0.1);
   CHECK(meshed(input, high).report.hash == meshed(input, normal).report.hash);

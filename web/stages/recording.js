@@ -12,7 +12,9 @@ import { etasOf, loopsOf, rimOf, tauOf, valencesOf } from './values.js';
 
 const needed = ['background.json', 'crosses.json', 'sizes.json', 'seeds.json', 'start.obj', 'triangles.json', 'cells.json',
   'energy.json', 'matching.json', 'matched_triangles.obj'];
-const quadFile = /^quads-(\d+)-.+\.obj$/;
+const quadFile = /^quads-(\d+)-(.+)\.obj$/;
+/** What comes after a file of quads has been written, by the last word of its name. @type {Record<string, State['stage']>} */
+const stageAfter = { matched: 'clean', cleaned: 'patch', patched: 'smooth', annealed: 'smooth', smoothed: 'check', kept: 'check' };
 
 /** Whether files look like such a folder. @param {Iterable<string>} names */
 export function isStagesFolder(names) {
@@ -36,7 +38,8 @@ export function readStages(files, bytes) {
   const matching = readMatching(json('matching.json'), readObj('matched_triangles.obj', text('matched_triangles.obj')));
   const quads = quadNames.map((name) => quadLayer(readObj(name, text(name)), boundaryNodes));
   const between = readIterates(files.get('iterates.json'), bytes);
-  const steps = stepsOf(energy, before, between, after, matching, quads);
+  const stages = quadNames.map((name) => stageAfter[quadFile.exec(name)?.[2] ?? ''] ?? 'check');
+  const steps = stepsOf(energy, before, between, after, matching, quads, stages);
   const outline = loopsOf(start.points, rimOf([{ list: start.triangles, corners: 3 }]));
   const report = [...files].find(([name]) => /(^|\.)report\.json$/.test(name))?.[1];
   return { drawing: drawingOf(outline), norm: energy.number('p'), steps, result: resultOf(quads[quads.length - 1], energy, report) };
@@ -111,14 +114,13 @@ function quadLayer({ points, quads, triangles }, boundaryNodes) {
 
 /** @typedef {import('./iterates.js').Iterate} Iterate */
 
-/** @param {Fields} energy  @param {Shown} before  @param {Iterate[]} between  @param {Shown} after  @param {NonNullable<Shown['matching']>} matching  @param {NonNullable<Shown['quads']>[]} quads  @returns {Step[]} */
-function stepsOf(energy, before, between, after, matching, quads) {
+/** @param {Fields} energy  @param {Shown} before  @param {Iterate[]} between  @param {Shown} after  @param {NonNullable<Shown['matching']>} matching  @param {NonNullable<Shown['quads']>[]} quads  @param {State['stage'][]} stages  of the quads  @returns {Step[]} */
+function stepsOf(energy, before, between, after, matching, quads, stages) {
   const values = energy.numbers('history'), norms = energy.numbers('gradientNormHistory', values.length);
   const iterations = Math.max(0, values.length - 1);
   const tau = (/** @type {Shown} */ { triangles }) => (triangles ? tauOf(triangles.points, triangles.triangles) : 0);
   const place = (/** @type {State['stage']} */ stage, more = {}) => ({ stage, iteration: 0, maxIterations: iterations, energy: 0, gradientNorm: 0, tau: 0, ...more });
   const optimise = (/** @type {number} */ iteration, /** @type {Shown} */ shown) => /** @type {[Omit<State, 'tick'>, Shown]} */ ([place('optimise', { iteration, energy: values[iteration], gradientNorm: norms[iteration], tau: tau(shown) }), shown]);
-  const later = /** @type {State['stage'][]} */ (['clean', 'patch', 'smooth', 'check']);
   /** @type {[Omit<State, 'tick'>, Shown][]} */
   const all = [
     [place('seeds'), { crosses: before.crosses, sizes: before.sizes }],
@@ -126,7 +128,7 @@ function stepsOf(energy, before, between, after, matching, quads) {
     ...between.filter(({ iteration }) => iteration < iterations).map(({ iteration, triangles, cells }) =>
       optimise(iteration, { ...before, triangles, cells: { ...cells, energy: values[iteration] } })),
     [place('match', { iteration: iterations, energy: energy.number('energy'), gradientNorm: norms.at(-1) ?? 0, tau: tau(after) }), after],
-    ...quads.map((layer, k) => /** @type {[Omit<State, 'tick'>, Shown]} */ ([place(later[Math.min(k, later.length - 1)]), { ...after, matching, quads: layer }])),
+    ...quads.map((layer, k) => /** @type {[Omit<State, 'tick'>, Shown]} */ ([place(stages[k]), { ...after, matching, quads: layer }])),
     [place('done'), { ...after, matching, quads: quads[quads.length - 1] }],
   ];
   return all.map(([state, shown], tick) => ({ state: { ...state, tick }, shown }));

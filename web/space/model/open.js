@@ -37,6 +37,7 @@ export function installOpening(app) {
     if (file.size > mostBytes) return notify(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB; the page takes 256.`);
     announce(`Opening ${file.name}`);
     latest.abort();  // of two files that are opened the second is wanted
+    notify('');
     const { signal } = latest = new AbortController();
     try {
       const surface = await read(app, file, signal);
