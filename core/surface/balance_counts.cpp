@@ -38,8 +38,9 @@ class Balancer {
         value_[s] += term.factor * counts[term.curve];
         entries.push_back({term.curve, s, term.factor});
       }
-    std::stable_sort(entries.begin(), entries.end(),
-                     [](const Entry& a, const Entry& b) { return a.curve < b.curve; });
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+      return a.curve != b.curve ? a.curve < b.curve : a.sum < b.sum;
+    });
     std::size_t next = 0;
     for (Index c = 0; c < static_cast<Index>(counts.size()); ++c) {
       for (; next < entries.size() && entries[next].curve == c; ++next)

@@ -78,8 +78,9 @@ class TipFinder {
       if (d > far_off * side && mesh.face[f] == face_of(static_cast<Index>(v)))
         tips.push_back({static_cast<Index>(v), f, d / side});
     }
-    std::stable_sort(tips.begin(), tips.end(),
-                     [](const Tip& a, const Tip& b) { return a.distance > b.distance; });
+    std::sort(tips.begin(), tips.end(), [](const Tip& a, const Tip& b) {
+      return a.distance != b.distance ? a.distance > b.distance : a.vertex < b.vertex;
+    });
     return tips;
   }
 
