@@ -52,7 +52,7 @@ std::vector<DomainInput::Guide> guides_from(const val& packed);
 
 /// The packed form that js/surface.js makes: {points: Float64Array x, y, z, ..; triangles:
 /// Uint32Array; groups: Int32Array, empty = none; groupNames: string[];
-/// bodies: Int32Array, empty = one; bodyNames: string[]}
+/// bodies: Int32Array, empty = one; bodyNames: string[]; sizes: Float64Array, empty = none}
 SurfaceSoup soup_from(const val& packed);
 
 /// The arrays of MeshResult in js/index.d.ts, or those of SurfaceMesh for a mesh in space; `report`

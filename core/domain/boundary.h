@@ -40,7 +40,7 @@ struct BoundaryMesh {
 
 /// Kept mode returns the domain's points as they are; refined mode divides long edges evenly with
 /// graded spacing and an even count for every part of a region between polylines. Errors:
-/// odd_boundary, bad_size, too_many_elements.
+/// odd_boundary, bad_size, too_many_elements, lost_precision.
 /// Places of errors are in the unit frame.
 Result<BoundaryMesh> sample_boundary(const Domain& domain, const BoundaryOptions& options = {});
 

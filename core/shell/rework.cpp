@@ -28,7 +28,8 @@ double merit(const QuadMesh& mesh, const Fields& fields, const PatchOptions& opt
   return energy.value + options.credit * weight;
 }
 
-/// Chance first: of what high effort spends, a quarter in normal runs.
+/// Chance first: of what high effort spends, a quarter in normal runs. Cooler than in the plane: a
+/// window is small, and its mesh good but where the cut was.
 PatchOptions search_options(const Options& options, std::uint64_t seed) {
   const double trials = options.effort == Effort::high ? 80 : 20;
   PatchOptions patches = annealing_options(options);
