@@ -59,9 +59,8 @@ class SurfaceMesher {
 
 /// The whole run. `monitor` is asked between steps, on this thread; its iterations are charts,
 /// after `mesh` hundredths of the stage. `threads`: for the charts, 0 = as many as the machine runs
-/// at once; the mesh does not depend on it. Errors: those of repair_surface, bad_option, bad_size,
-/// too_many_elements, no_valid_mesh,
-/// cancelled.
+/// at once, and at most four times as many; the mesh does not depend on it. Errors: those of
+/// repair_surface, bad_option, bad_size, too_many_elements, no_valid_mesh, cancelled.
 Result<ShellOutcome> mesh_surface(SurfaceSoup soup, const SurfaceOptions& options = {},
                                   Monitor monitor = {}, int threads = 0);
 

@@ -33,8 +33,8 @@ class SharpChains {
   Index feature_at(Index v) const;
 
   /// A crease bends much more than the surface beside it. Where that is about as uneven, sharp
-  /// edges are what noise leaves above the angle.
-  /// A chain that may fade is not judged by the edges straight ahead of its ends.
+  /// edges are what noise leaves above the angle. A chain that may fade is not judged by the edges
+  /// straight ahead of its ends.
   bool is_rough(const SharpChain& chain, bool may_fade) const;
 
  private:
