@@ -5,13 +5,15 @@
 
 #include "cleanup/quad_topology.h"
 #include "shell/place.h"
+#include "shell/topology.h"
 
 namespace lpq {
 namespace {
 
 class PatchEdit {
  public:
-  PatchEdit(const ShapeGround& ground, const ShapePatch& patch) : ground_(ground), patch_(patch) {
+  PatchEdit(const ShapeGround& ground, const ShapePatch& patch)
+      : ground_(ground), patch_(patch), before_(patch.mesh.faces) {
     patch_.changed = true;
   }
 
@@ -123,7 +125,7 @@ class PatchEdit {
     }
     patch_.mesh.faces.resize(kept);
     patch_.mesh.face.resize(kept);
-    return is_mesh();
+    return is_mesh() && hangs_together_as_before();
   }
 
   ShapePatch take() { return std::move(patch_); }
@@ -187,8 +189,15 @@ class PatchEdit {
     return true;
   }
 
+  /// A closed mesh of few quads may be collapsed to nothing, or a thin part to a thread.
+  bool hangs_together_as_before() const {
+    const ShellTopology old = shell_topology(before_), now = shell_topology(patch_.mesh.faces);
+    return now.components == old.components && now.euler == old.euler && now.pinches <= old.pinches;
+  }
+
   const ShapeGround& ground_;
   ShapePatch patch_;
+  std::span<const Face> before_;
 };
 
 class RefillList {
