@@ -33,12 +33,15 @@ class Refinement {
     segments_ = std::move(simplified.segments);
     used_ = std::move(simplified.used);
     deviation_ = simplified.deviation;
+    if (options.require_even) parts_ = find_parts(domain.points, segments_);
   }
   Result<BoundaryMesh> run();
 
  private:
   std::optional<Error> count(const BoundarySpacing& spacing);
+  Result<std::vector<Index>> choose_pieces() const;
   Result<BoundaryMesh> divide(const BoundarySpacing& spacing, bool& again);
+  bool keep_meeting_whole(const BoundaryMesh& mesh, const Division& division);
   Vec2 node_at(Vec2 a, Vec2 b, double t, double leeway) const;
   bool place(Index segment, Index pieces, const BoundarySpacing& spacing, Division& division) const;
   Ruler measure(Index segment, const BoundarySpacing& spacing) const;
@@ -50,6 +53,7 @@ class Refinement {
   const Domain& domain_;
   const BoundaryOptions& options_;
   std::vector<Segment> segments_;
+  Parts parts_;             // where even numbers are required
   std::vector<char> used_;  // #P
   double deviation_ = 0;
   std::vector<double> ideal_;  // #S  N
@@ -168,29 +172,34 @@ bool Refinement::place(Index segment, Index pieces, const BoundarySpacing& spaci
   return true;
 }
 
-Result<BoundaryMesh> Refinement::divide(const BoundarySpacing& spacing, bool& again) {
-  const Index count = static_cast<Index>(segments_.size());
+/// As many as their ideal says, and an even number around every part.
+Result<std::vector<Index>> Refinement::choose_pieces() const {
+  const std::size_t count = segments_.size();
   std::vector<Index> pieces(count, 1);
   std::vector<double> preference(count, -1.0);
-  for (Index i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     if (whole_[i]) continue;
     pieces[i] = static_cast<Index>(std::max(1.0, std::floor(ideal_[i] + 0.5)));
     preference[i] = ideal_[i] / (pieces[i] + 1);
   }
-  if (options_.require_even) {
-    const Parts parts = find_parts(domain_.points, segments_);
-    for (const Index i : segments_to_even(parts.segments, parts.count(), pieces, preference)) {
-      if (whole_[i])
-        return Error{ErrorCode::lost_precision,
-                     "No boundary edge of region " + std::to_string(segments_[i].left) +
-                         " is long enough to be divided in double precision.",
-                     {}};
-      ++pieces[i];
-    }
+  if (!options_.require_even) return pieces;
+  for (const Index i : segments_to_even(parts_.segments, parts_.count(), pieces, preference)) {
+    if (whole_[i])
+      return Error{ErrorCode::lost_precision,
+                   "No boundary edge of region " + std::to_string(segments_[i].left) +
+                       " is long enough to be divided in double precision.",
+                   {}};
+    ++pieces[i];
   }
+  return pieces;
+}
+
+Result<BoundaryMesh> Refinement::divide(const BoundarySpacing& spacing, bool& again) {
+  const Result<std::vector<Index>> pieces = choose_pieces();
+  if (!pieces) return pieces.error();
   Division division;
-  for (Index i = 0; i < count; ++i) {
-    if (!place(i, pieces[i], spacing, division)) {
+  for (Index i = 0; i < static_cast<Index>(segments_.size()); ++i) {
+    if (!place(i, (*pieces)[i], spacing, division)) {
       division.values.resize(division.offsets.back());
       whole_[i] = 1;
       again = true;
@@ -199,15 +208,22 @@ Result<BoundaryMesh> Refinement::divide(const BoundarySpacing& spacing, bool& ag
   }
   BoundaryMesh mesh = assemble(domain_, segments_, used_, division);
   mesh.simplify_deviation = deviation_;
-  if (again || division.values.empty()) return mesh;
+  if (!again && !division.values.empty()) again = keep_meeting_whole(mesh, division);
+  return mesh;
+}
+
+/// Segments whose nodes touch others stay whole from now on; true if there are any.
+bool Refinement::keep_meeting_whole(const BoundaryMesh& mesh, const Division& division) {
   std::vector<Index> origin;
-  for (Index i = 0; i < count; ++i) origin.insert(origin.end(), division.row(i).size() + 1, i);
+  for (Index i = 0; i < static_cast<Index>(segments_.size()); ++i)
+    origin.insert(origin.end(), division.row(i).size() + 1, i);
+  bool found = false;
   for (const Index e : meeting_edges(mesh.points, mesh.edges)) {
     if (division.row(origin[e]).empty()) continue;
     whole_[origin[e]] = 1;
-    again = true;
+    found = true;
   }
-  return mesh;
+  return found;
 }
 
 Result<BoundaryMesh> Refinement::run() {

@@ -66,27 +66,40 @@ double Refitter::wanted_quads() const {
   return sum;
 }
 
-Refit Refitter::refit(const RefitRule& rule) {
-  if (!patch_.close(rule.largest)) return Refit::hopeless;
-  if (!patch_.outline(outline_)) return Refit::rejected;
+/// What the outline, whose polygon is `shape`, can be filled with under the rule.
+std::vector<Plan> Refitter::plans(const Polygon& shape, const RefitRule& rule) const {
   const int corners = static_cast<int>(outline_.corner.size());
   // A disk with n corners and flat sides needs irregular vertices worth |n - 4| at least.
   const double allowed = outline_.weight - outline_.rim_weight +
                          (rule.extra_weight > 0 ? rule.extra_weight : -least_gain);
   if (corners < least_corners || corners > most_corners || allowed < std::abs(corners - 4))
-    return Refit::rejected;
-  const Polygon shape = polygon();
+    return {};
   std::vector<Plan> plans =
       make_plans(shape, {.most_irregular = static_cast<int>(allowed), .count = options_.plans});
-  if (plans.empty()) return Refit::rejected;
-  if (rule.rng != nullptr) plans = {plans[rule.rng->below(plans.size())]};
+  if (rule.rng != nullptr && !plans.empty()) return {plans[rule.rng->below(plans.size())]};
+  return plans;
+}
 
+Refit Refitter::refit(const RefitRule& rule) {
+  if (!patch_.close(rule.largest)) return Refit::hopeless;
+  if (!patch_.outline(outline_)) return Refit::rejected;
+  const Polygon shape = polygon();
+  const std::vector<Plan> plans = this->plans(shape, rule);
+  if (plans.empty()) return Refit::rejected;
   const Surroundings around(mesh_, fields_, patch_, outline_, options_.rings);
+  const Trial best = best_trial(around, shape, plans, most_change(rule));
+  if (best.mesh.faces.empty()) return Refit::rejected;
+  commit(around, best);
+  return Refit::done;
+}
+
+/// That of the plans which changes the energy least, below `best_change`; without faces if none.
+Trial Refitter::best_trial(const Surroundings& around, const Polygon& shape,
+                           std::span<const Plan> plans, double best_change) {
   const double now = around.energy_now(options_.energy);
   const double least_eta = std::min(options_.worst_eta, around.worst_eta_now());
   const double wanted = wanted_quads(), before = static_cast<double>(patch_.faces().size());
   Trial best;
-  double best_change = most_change(rule);
   for (const Plan& plan : plans) {
     ++tried_;
     const Filling filling = fill(shape, plan);
@@ -104,9 +117,7 @@ Refit Refitter::refit(const RefitRule& rule) {
     best_change = change;
     best = std::move(trial);
   }
-  if (best.mesh.faces.empty()) return Refit::rejected;
-  commit(around, best);
-  return Refit::done;
+  return best;
 }
 
 void Refitter::commit(const Surroundings& around, const Trial& trial) {

@@ -1,6 +1,8 @@
 // One attempt at one patch: its outline, the plans for it, the best filling, the verdict.
 #pragma once
 
+#include <span>
+
 #include "base/rng.h"
 #include "patches/remesh.h"
 #include "patches/surroundings.h"
@@ -36,6 +38,9 @@ class Refitter {
  private:
   Polygon polygon() const;
   double wanted_quads() const;
+  std::vector<Plan> plans(const Polygon& shape, const RefitRule& rule) const;
+  Trial best_trial(const Surroundings& around, const Polygon& shape, std::span<const Plan> plans,
+                   double best_change);
   void commit(const Surroundings& around, const Trial& trial);
 
   QuadTopology& mesh_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "shell/fans.h"
 #include "shell/nearest_triangle.h"
 
 namespace lpq {
@@ -17,51 +18,33 @@ struct Samples {
 
 double area_of(Vec3 a, Vec3 b, Vec3 c) { return 0.5 * length(cross(b - a, c - a)); }
 
-/// The mesh as triangles round the middles of its faces, which follow its own points.
-class Fans {
- public:
-  explicit Fans(const ShellMesh& mesh) : points(mesh.points) {
-    for (const Face& face : mesh.faces) {
-      const int n = corner_count(face);
-      const auto middle = static_cast<Index>(points.size());
-      Vec3 sum{};
-      for (int k = 0; k < n; ++k) sum += mesh.points[face[k]];
-      points.push_back((1.0 / n) * sum);
-      for (int k = 0; k < n; ++k) triangles.push_back({face[k], face[(k + 1) % n], middle});
-    }
+/// All points, and the middles of the mesh's edges, by the trapezoidal rule at half steps.
+Samples fan_samples(const Fans& fans) {
+  Samples result{fans.points, std::vector<double>(fans.points.size(), 0)};
+  struct Side {
+    std::array<Index, 2> ends;
+    double weight;
+  };
+  std::vector<Side> sides;
+  for (const auto& [a, b, middle] : fans.triangles) {
+    const double quarter = 0.25 * area_of(fans.points[a], fans.points[b], fans.points[middle]);
+    result.weight[middle] += quarter;
+    result.weight[a] += 0.5 * quarter;
+    result.weight[b] += 0.5 * quarter;
+    sides.push_back({{std::min(a, b), std::max(a, b)}, 2 * quarter});
   }
-
-  /// All points, and the middles of the mesh's edges, by the trapezoidal rule at half steps.
-  Samples samples() const {
-    Samples result{points, std::vector<double>(points.size(), 0)};
-    struct Side {
-      std::array<Index, 2> ends;
-      double weight;
-    };
-    std::vector<Side> sides;
-    for (const auto& [a, b, middle] : triangles) {
-      const double quarter = 0.25 * area_of(points[a], points[b], points[middle]);
-      result.weight[middle] += quarter;
-      result.weight[a] += 0.5 * quarter;
-      result.weight[b] += 0.5 * quarter;
-      sides.push_back({{std::min(a, b), std::max(a, b)}, 2 * quarter});
+  std::stable_sort(sides.begin(), sides.end(),
+                   [](const Side& s, const Side& t) { return s.ends < t.ends; });
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (i > 0 && sides[i].ends == sides[i - 1].ends) {
+      result.weight.back() += sides[i].weight;
+      continue;
     }
-    std::stable_sort(sides.begin(), sides.end(),
-                     [](const Side& s, const Side& t) { return s.ends < t.ends; });
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      if (i > 0 && sides[i].ends == sides[i - 1].ends) {
-        result.weight.back() += sides[i].weight;
-        continue;
-      }
-      result.points.push_back(midpoint(points[sides[i].ends[0]], points[sides[i].ends[1]]));
-      result.weight.push_back(sides[i].weight);
-    }
-    return result;
+    result.points.push_back(midpoint(fans.points[sides[i].ends[0]], fans.points[sides[i].ends[1]]));
+    result.weight.push_back(sides[i].weight);
   }
-
-  std::vector<Vec3> points;
-  std::vector<Tri> triangles;
-};
+  return result;
+}
 
 Samples vertex_samples(std::span<const Vec3> points, std::span<const Tri> triangles) {
   std::vector<double> weight(points.size(), 0);
@@ -98,9 +81,9 @@ Distance measure(const Samples& samples, const NearestTriangle& target) {
 
 SurfaceDistance surface_distance(std::span<const Vec3> points, std::span<const Tri> triangles,
                                  const ShellMesh& mesh) {
-  const Fans fans(mesh);
+  const Fans fans = fans_of(mesh);
   const NearestTriangle surface(points, triangles), faces(fans.points, fans.triangles);
-  return {measure(fans.samples(), surface), measure(vertex_samples(points, triangles), faces)};
+  return {measure(fan_samples(fans), surface), measure(vertex_samples(points, triangles), faces)};
 }
 
 }  // namespace lpq

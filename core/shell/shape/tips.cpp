@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "shell/fans.h"
 #include "shell/nearest_triangle.h"
 #include "shell/shape/mend.h"
 
@@ -31,27 +32,6 @@ double mean_side(const ShellMesh& mesh, Index f) {
   return sum / n;
 }
 
-/// The triangles round the middles of faces.
-struct Fans {
-  std::vector<Vec3> points;
-  std::vector<Tri> triangles;
-  std::vector<Index> face;
-
-  explicit Fans(const ShellMesh& mesh) : points(mesh.points) {
-    for (Index f = 0; f < static_cast<Index>(mesh.faces.size()); ++f) {
-      const int n = corner_count(mesh.faces[f]);
-      Vec3 middle{};
-      for (int k = 0; k < n; ++k) middle += (1.0 / n) * mesh.points[mesh.faces[f][k]];
-      for (int k = 0; k < n; ++k) {
-        triangles.push_back(
-            {mesh.faces[f][k], mesh.faces[f][(k + 1) % n], static_cast<Index>(points.size())});
-        face.push_back(f);
-      }
-      points.push_back(middle);
-    }
-  }
-};
-
 class TipFinder {
  public:
   explicit TipFinder(const Charted& charted)
@@ -66,7 +46,7 @@ class TipFinder {
 
   /// Those inside faces, the farthest first.
   std::vector<Tip> find(const ShellMesh& mesh) const {
-    const Fans fans(mesh);
+    const Fans fans = fans_of(mesh);
     const NearestTriangle nearest(fans.points, fans.triangles);
     std::vector<Tip> tips;
     Index hint = 0;
@@ -101,7 +81,7 @@ class TipFinder {
 /// Distance of p from faces, over the mean side of the nearest.
 double distance_from(const ShellMesh& mesh, Vec3 p) {
   double least = std::numeric_limits<double>::infinity(), side = 1;
-  const Fans fans(mesh);
+  const Fans fans = fans_of(mesh);
   for (std::size_t t = 0; t < fans.triangles.size(); ++t) {
     const auto& [a, b, c] = fans.triangles[t];
     const double d =

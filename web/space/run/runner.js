@@ -18,6 +18,7 @@ const longest = 500;         // for the first one of a chart
 const next = 60;             // for each of the others
 const mostWatching = 15000;  // of all pictures of a run together, drawing included, which may be slow
 const pictureEvery = 40;  // milliseconds of meshing between two looks
+const chartsEvery = 250;  // milliseconds between two looks at what all charts have so far: it is drawn anew
 const manySteps = new Set(['mesh', 'seams', 'shape']);
 
 export class SurfaceRunner {
@@ -115,6 +116,7 @@ export class SurfaceRunner {
   async #steps(session, wanted) {
     await this.#look(session, wanted, { surface: true });
     const watching = { left: pictures, spent: 0 };
+    let looked = 0;
     for (let portion = 1; wanted() && session.state.stage !== 'done';) {
       if (this.run.paused) await new Promise((resolve) => { this.#release = () => resolve(undefined); });
       const before = session.state, began = performance.now();
@@ -123,9 +125,11 @@ export class SurfaceRunner {
       const over = state.stage !== before.stage, between = over || state.chart !== before.chart;
       portion = over || shown ? 1 : portionAfter(portion, performance.now() - began);
       if (between) [watching.left, portion] = [pictures, 1];
-      if (between) await this.#look(session, wanted, layersAfter[before.stage] ?? {});
-      else if (shown) await this.#lookAtCells(session, wanted, watching);
-      else if (wanted()) this.#become({ state });
+      if (over || (between && (this.run.paused || performance.now() - looked > chartsEvery))) {
+        await this.#look(session, wanted, layersAfter[before.stage] ?? {});
+        looked = performance.now();
+      } else if (shown && !between) await this.#lookAtCells(session, wanted, watching);
+      else if (wanted()) this.#become({ state, frame: { ...this.run.frame, ...between && { cells: undefined } } });
       if (shown && !this.run.paused) watching.spent += performance.now() - began;
     }
   }

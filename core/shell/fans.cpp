@@ -1,0 +1,24 @@
+// See fans.h.
+#include "shell/fans.h"
+
+namespace lpq {
+
+Fans fans_of(const ShellMesh& mesh) {
+  Fans fans;
+  fans.points = mesh.points;
+  for (Index f = 0; f < static_cast<Index>(mesh.faces.size()); ++f) {
+    const Face& face = mesh.faces[f];
+    const int n = corner_count(face);
+    const auto middle = static_cast<Index>(fans.points.size());
+    Vec3 sum{};
+    for (int k = 0; k < n; ++k) {
+      sum += mesh.points[face[k]];
+      fans.triangles.push_back({face[k], face[(k + 1) % n], middle});
+      fans.face.push_back(f);
+    }
+    fans.points.push_back((1.0 / n) * sum);
+  }
+  return fans;
+}
+
+}  // namespace lpq
