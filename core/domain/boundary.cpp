@@ -37,6 +37,22 @@ Error odd_part(const Domain& domain, const Parts& parts, std::span<const Index> 
           where};
 }
 
+/// In the middle of a segment; the only thing about a kept boundary that is not as given.
+Warning added_point(const Domain& domain, const Segment& s) {
+  Where where;
+  if (s.region != none) {
+    where.region = s.region;
+    where.loop = s.loop;
+    where.edge = s.edge;
+  }
+  const UnitFrame& frame = domain.frame;
+  const Vec2 p = frame.to_world(frame.snap(midpoint(domain.points[s.a], domain.points[s.b])));
+  return {ErrorCode::odd_boundary,
+          "The number of boundary edges was odd: a point was added at " + point_text(p) +
+              ", in the middle of one, as allowed.",
+          at_point(where, p)};
+}
+
 /// The middles of the chosen segments.
 Division halve(const Domain& domain, const std::vector<Index>& chosen) {
   std::vector<char> is_chosen(domain.segments.size(), 0);
@@ -67,7 +83,7 @@ Result<BoundaryMesh> keep_given(const Domain& domain, const BoundaryOptions& opt
   }
   const std::vector<char> used(domain.points.size(), 1);
   BoundaryMesh mesh = assemble(domain, domain.segments, used, halve(domain, cure));
-  mesh.added_points = static_cast<Index>(cure.size());
+  for (const Index i : cure) mesh.warnings.push_back(added_point(domain, domain.segments[i]));
   return mesh;
 }
 

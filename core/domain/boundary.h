@@ -33,9 +33,8 @@ struct BoundaryMesh {
   std::vector<Segment> edges;   // #E  a, b index `points`; sides, tag and origin as in the Domain
   std::vector<double> spacing;  // #B  mean length of the edges at the node (target h there)
   std::vector<Index> output_rank;  // #B  permutation: number of this node in the output mesh
-  Index added_points = 0;          // by allow_added_point
   double simplify_deviation = 0;   // unit frame
-  std::vector<Warning> warnings;
+  std::vector<Warning> warnings;   // beside the domain's; one for each point by allow_added_point
 };
 
 /// Kept mode returns the domain's points as they are; refined mode divides long edges evenly with

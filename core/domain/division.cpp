@@ -166,7 +166,6 @@ BoundaryMesh assemble(const Domain& domain, std::span<const Segment> segments,
   mesh.output_rank = document_order(domain, segments, node_of_point, first_interior,
                                     static_cast<Index>(mesh.points.size()));
   measure_spacing(mesh);
-  mesh.warnings = domain.warnings;
   return mesh;
 }
 

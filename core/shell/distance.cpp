@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "shell/fans.h"
+#include "shell/face_fans.h"
 #include "shell/nearest_triangle.h"
 
 namespace lpq {
@@ -19,7 +19,7 @@ struct Samples {
 double area_of(Vec3 a, Vec3 b, Vec3 c) { return 0.5 * length(cross(b - a, c - a)); }
 
 /// All points, and the middles of the mesh's edges, by the trapezoidal rule at half steps.
-Samples fan_samples(const Fans& fans) {
+Samples fan_samples(const FaceFans& fans) {
   Samples result{fans.points, std::vector<double>(fans.points.size(), 0)};
   struct Side {
     std::array<Index, 2> ends;
@@ -81,7 +81,7 @@ Distance measure(const Samples& samples, const NearestTriangle& target) {
 
 SurfaceDistance surface_distance(std::span<const Vec3> points, std::span<const Tri> triangles,
                                  const ShellMesh& mesh) {
-  const Fans fans = fans_of(mesh);
+  const FaceFans fans = face_fans(mesh);
   const NearestTriangle surface(points, triangles), faces(fans.points, fans.triangles);
   return {measure(fan_samples(fans), surface), measure(vertex_samples(points, triangles), faces)};
 }

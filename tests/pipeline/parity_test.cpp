@@ -103,6 +103,12 @@ TEST_CASE("where the count is even no triangle is left, and the mesh is that of 
   CHECK(refined->report.quality.triangles == 0);
 }
 
+TEST_CASE("what was repaired at the door is told once") {
+  const auto outcome = mesh_domain(domain_of({{{0, 0}, {1, 0}, {1, 0}, {1, 1}, {0, 1}}}), {});
+  REQUIRE(outcome);
+  CHECK(warnings_of(outcome->report, ErrorCode::duplicate_point) == 1);
+}
+
 TEST_CASE("an added point is preferred where both it and a triangle are allowed") {
   Options options = one_triangle;
   options.allow_added_point = true;
@@ -110,6 +116,7 @@ TEST_CASE("an added point is preferred where both it and a triangle are allowed"
   REQUIRE(outcome);
   CHECK(outcome->report.quality.triangles == 0);
   CHECK(outcome->mesh.fixed == 42);
+  CHECK(warnings_of(outcome->report, ErrorCode::odd_boundary) == 1);
 }
 
 TEST_CASE("every region of odd count has a triangle of its own") {

@@ -109,12 +109,18 @@ export interface SurfaceReport {
   rounds: number;
   windowsOpened: number;
   windowsAccepted: number;
+  /** Changes of connectivity while the shape was optimised. */
+  shapeRefills: number;
+  /** Vertices put on tips of the surface that quads would cut off. */
+  tipsReached: number;
   targetSize: number;
   /** Fingerprint of points and faces, 16 hexadecimal digits: equal meshes, equal hashes. */
   hash: string;
   /** Measured in space; `nonconvex` quads are said in `warnings`. */
   quality: Report['quality'];
   size: Report['size'];
+  /** Of the mesh (vertices, middles of edges and faces) from the surface, and of the surface's vertices from the mesh. */
+  distance: Record<'toSurface' | 'fromSurface', { max: number; mean: number }>;
   /** The mesh of each body; `[]` where the surface does not tell bodies. A closed one has no border edge. */
   bodies: { name: string; vertices: number; quads: number; triangles: number; parts: number; borderEdges: number }[];
   /** What was done to the triangles as given: counts by kind. */

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "shell/fans.h"
+#include "shell/face_fans.h"
 #include "shell/nearest_triangle.h"
 #include "shell/shape/mend.h"
 
@@ -46,7 +46,7 @@ class TipFinder {
 
   /// Those inside faces, the farthest first.
   std::vector<Tip> find(const ShellMesh& mesh) const {
-    const Fans fans = fans_of(mesh);
+    const FaceFans fans = face_fans(mesh);
     const NearestTriangle nearest(fans.points, fans.triangles);
     std::vector<Tip> tips;
     Index hint = 0;
@@ -81,7 +81,7 @@ class TipFinder {
 /// Distance of p from faces, over the mean side of the nearest.
 double distance_from(const ShellMesh& mesh, Vec3 p) {
   double least = std::numeric_limits<double>::infinity(), side = 1;
-  const Fans fans = fans_of(mesh);
+  const FaceFans fans = face_fans(mesh);
   for (std::size_t t = 0; t < fans.triangles.size(); ++t) {
     const auto& [a, b, c] = fans.triangles[t];
     const double d =

@@ -1,10 +1,10 @@
-// See fans.h.
-#include "shell/fans.h"
+// See face_fans.h.
+#include "shell/face_fans.h"
 
 namespace lpq {
 
-Fans fans_of(const ShellMesh& mesh) {
-  Fans fans;
+FaceFans face_fans(const ShellMesh& mesh) {
+  FaceFans fans;
   fans.points = mesh.points;
   for (Index f = 0; f < static_cast<Index>(mesh.faces.size()); ++f) {
     const Face& face = mesh.faces[f];

@@ -8,13 +8,13 @@
 
 namespace lpq {
 
-struct Fans {
+struct FaceFans {
   std::vector<Vec3> points;    // the mesh's, then the middle of every face
   std::vector<Tri> triangles;  // a side of the face, its middle last
   std::vector<Index> face;     // #triangles
 };
 
 /// Cost O(#V + #F).
-Fans fans_of(const ShellMesh& mesh);
+FaceFans face_fans(const ShellMesh& mesh);
 
 }  // namespace lpq
