@@ -71,9 +71,10 @@ test_web() {
   add_counts "tests/web" "$log"
 }
 
-bash "$here/build.sh" release -- -DLPQ_TESTS=ON -DLPQ_BENCH=ON || exit 1
+pch=-DLPQ_PCH=${LPQ_PCH:-OFF}
+bash "$here/build.sh" release -- -DLPQ_TESTS=ON -DLPQ_BENCH=ON "$pch" || exit 1
 run_tests release
-bash "$here/build.sh" dev || exit 1
+bash "$here/build.sh" dev -- "$pch" || exit 1
 run_tests dev -L 'quick|fuzz'
 [ $wasm = no ] || { test_package; test_web; }
 echo "$passed passed, $failed failed"
