@@ -6,5 +6,6 @@ namespace lpq_bench {
 int pipeline(int argc, char** argv);
 int energy(int argc, char** argv);
 int matching(int argc, char** argv);
+int surface(int argc, char** argv);
 
 }  // namespace lpq_bench
