@@ -67,7 +67,7 @@ void Freedom::find_neighbours() {
   });
   for (std::size_t i = 0; i < on_tracks.size();) {
     const Index track = role_[on_tracks[i]].on_track.track;
-    std::size_t j = i;
+    std::size_t j = i + 1;
     while (j < on_tracks.size() && role_[on_tracks[j]].on_track.track == track) ++j;
     for (std::size_t k = i + 1; k < j; ++k) {
       neighbours_[on_tracks[k]][0] = on_tracks[k - 1];
