@@ -10,13 +10,13 @@ FaceFans face_fans(const ShellMesh& mesh) {
     const Face& face = mesh.faces[f];
     const int n = corner_count(face);
     const auto middle = static_cast<Index>(fans.points.size());
-    Vec3 sum{};
+    Vec3 centre{};
     for (int k = 0; k < n; ++k) {
-      sum += mesh.points[face[k]];
+      centre += (1.0 / n) * mesh.points[face[k]];
       fans.triangles.push_back({face[k], face[(k + 1) % n], middle});
       fans.face.push_back(f);
     }
-    fans.points.push_back((1.0 / n) * sum);
+    fans.points.push_back(centre);
   }
   return fans;
 }

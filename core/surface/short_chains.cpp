@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -12,8 +11,6 @@
 
 namespace lpq {
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// One chain after the other, the shortest first: two that are left at a junction are one longer
 /// chain.
@@ -94,19 +91,9 @@ class ChainFilter {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue_;
 };
 
-struct Extent {
-  Vec3 low{infinite, infinite, infinite}, high{-infinite, -infinite, -infinite};
-
-  void add(Vec3 p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  double diagonal() const { return length(high - low); }
-};
-
 /// What is known of a connected heap of features.
 struct Heap {
-  Extent extent;
+  Vec3 low, high;
   double sizes = 0;   // sum over its edge ends
   double length = 0;  // twice
   Index ends = 0;
@@ -116,8 +103,6 @@ struct Heap {
 // Noise goes around a triangle or around a vertex and its six or so neighbours; a plain loop of
 // more edges, however small, is the rim of a hole.
 constexpr Index fewest_of_rim = 8;
-// Of the diagonal of a body: features from end to end are its shape, however large the mesh size.
-constexpr double whole_body = 0.5;
 
 class HeapFilter {
  public:
@@ -128,12 +113,9 @@ class HeapFilter {
         options_(options),
         features_(features),
         sets_(mesh.vertex_count()),
-        heaps_(mesh.points.size()),
-        body_sets_(mesh.vertex_count()),
-        bodies_(mesh.points.size()) {}
+        heaps_(mesh.points.size()) {}
 
   void run() {
-    measure_bodies();
     std::vector<Index> valence(mesh_.points.size(), 0);
     for_each_feature([&](Index i) {
       const auto& [a, b] = features_.edges.ends[i];
@@ -145,19 +127,12 @@ class HeapFilter {
       for (const Index v : features_.edges.ends[i]) gather(v, i, valence[v]);
     });
     for_each_feature([&](Index i) {
-      const Index v = features_.edges.ends[i][0];
-      if (is_noise(heaps_[sets_.root(v)], bodies_[body_sets_.root(v)]))
+      if (is_noise(heaps_[sets_.root(features_.edges.ends[i][0])]))
         features_.kind[i] = FeatureKind::smooth;
     });
   }
 
  private:
-  void measure_bodies() {
-    for (const auto& [a, b] : features_.edges.ends) body_sets_.unite(a, b);
-    for (Index v = 0; v < mesh_.vertex_count(); ++v)
-      bodies_[body_sets_.root(v)].add(mesh_.points[v]);
-  }
-
   template <class Visit>
   void for_each_feature(Visit&& visit) {
     for (Index i = 0; i < features_.edges.count(); ++i)
@@ -166,7 +141,11 @@ class HeapFilter {
 
   void gather(Index v, Index edge, Index valence) {
     Heap& heap = heaps_[sets_.root(v)];
-    heap.extent.add(mesh_.points[v]);
+    const Vec3 p = mesh_.points[v];
+    if (heap.ends == 0) heap.low = heap.high = p;
+    heap.low = {std::min(heap.low.x, p.x), std::min(heap.low.y, p.y), std::min(heap.low.z, p.z)};
+    heap.high = {std::max(heap.high.x, p.x), std::max(heap.high.y, p.y),
+                 std::max(heap.high.z, p.z)};
     heap.sizes += size_[v];
     ++heap.ends;
     const auto& [a, b] = features_.edges.ends[edge];
@@ -176,13 +155,12 @@ class HeapFilter {
     heap.branched = heap.branched || valence > 2;
   }
 
-  bool is_noise(const Heap& heap, const Extent& body) const {
+  bool is_noise(const Heap& heap) const {
     if (heap.hard) return false;
     if (!heap.loose && !heap.branched && heap.ends >= 2 * fewest_of_rim) return false;
     const double size = heap.sizes / heap.ends;
     if (heap.loose) return 0.5 * heap.length < options_.shortest * size;
-    return heap.extent.diagonal() < options_.shortest_loop * size &&
-           heap.extent.diagonal() < whole_body * body.diagonal();
+    return length(heap.high - heap.low) < options_.shortest_loop * size;
   }
 
   const SurfaceMesh& mesh_;
@@ -191,8 +169,6 @@ class HeapFilter {
   SurfaceFeatures& features_;
   DisjointSets sets_;
   std::vector<Heap> heaps_;  // #V  at the roots
-  DisjointSets body_sets_;
-  std::vector<Extent> bodies_;  // #V  at the roots
 };
 
 }  // namespace

@@ -189,21 +189,15 @@ TEST_CASE("where a surface is thinner than the mesh size, the size gives way") {
   }
 }
 
-TEST_CASE("a part that is smaller than the mesh size keeps its edges, or its roundness") {
-  for (const double size : {1.5, 3.0, 40.0}) {
-    const ShellOutcome box = meshed(box_soup({1, 1, 1}, 2), {.size = size});
-    CHECK(box.report.faces == 6);
-    CHECK(shell_topology(box.mesh.faces).euler == 2);
-    for (const double x : {0, 1})
-      for (const double y : {0, 1})
-        for (const double z : {0, 1}) {
-          const Vec3 corner{x, y, z};
-          CHECK(std::count(box.mesh.points.begin(), box.mesh.points.end(), corner) == 1);
-        }
-    const ShellOutcome ball = meshed(soup_of(sphere(8)), {.size = size});
-    CHECK(shell_topology(ball.mesh.faces).euler == 2);
-    CHECK(ball.report.quality.quads >= 6);
-  }
+TEST_CASE("closed parts that are smaller than the mesh size get a closed mesh") {
+  for (const double size : {1.5, 3.0, 40.0})
+    for (const SurfaceSoup& soup : {box_soup({1, 1, 1}, 2), soup_of(sphere(8))}) {
+      const auto outcome = mesh_surface(soup, {.size = size});
+      REQUIRE(outcome.has_value());
+      CHECK(check_shell(outcome->surface, outcome->mesh).empty());
+      CHECK(outcome->report.quality.quads >= 6);
+      CHECK(shell_topology(outcome->mesh.faces).euler == 2);
+    }
 }
 
 TEST_CASE("the final check finds what is wrong with a mesh, and where") {

@@ -189,10 +189,11 @@ class PatchEdit {
     return true;
   }
 
-  /// A closed mesh of few quads may be collapsed to nothing, or a thin part to a thread.
+  /// A closed mesh of few quads could be collapsed to nothing.
   bool hangs_together_as_before() const {
+    if (std::find(patch_.rim.begin(), patch_.rim.end(), 1) != patch_.rim.end()) return true;
     const ShellTopology old = shell_topology(before_), now = shell_topology(patch_.mesh.faces);
-    return now.components == old.components && now.euler == old.euler && now.pinches <= old.pinches;
+    return now.components == old.components && now.euler == old.euler;
   }
 
   const ShapeGround& ground_;
