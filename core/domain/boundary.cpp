@@ -37,6 +37,11 @@ Error odd_part(const Domain& domain, const Parts& parts, std::span<const Index> 
           where};
 }
 
+/// As the caller's coordinates can hold it.
+Vec2 middle_of(const Domain& domain, const Segment& s) {
+  return domain.frame.snap(midpoint(domain.points[s.a], domain.points[s.b]));
+}
+
 /// In the middle of a segment; the only thing about a kept boundary that is not as given.
 Warning added_point(const Domain& domain, const Segment& s) {
   Where where;
@@ -45,8 +50,7 @@ Warning added_point(const Domain& domain, const Segment& s) {
     where.loop = s.loop;
     where.edge = s.edge;
   }
-  const UnitFrame& frame = domain.frame;
-  const Vec2 p = frame.to_world(frame.snap(midpoint(domain.points[s.a], domain.points[s.b])));
+  const Vec2 p = domain.frame.to_world(middle_of(domain, s));
   return {ErrorCode::odd_boundary,
           "The number of boundary edges was odd: a point was added at " + point_text(p) +
               ", in the middle of one, as allowed.",
@@ -59,10 +63,7 @@ Division halve(const Domain& domain, const std::vector<Index>& chosen) {
   for (const Index i : chosen) is_chosen[i] = 1;
   Division division;
   for (std::size_t i = 0; i < domain.segments.size(); ++i) {
-    const Segment& s = domain.segments[i];
-    if (is_chosen[i])
-      division.values.push_back(
-          domain.frame.snap(midpoint(domain.points[s.a], domain.points[s.b])));
+    if (is_chosen[i]) division.values.push_back(middle_of(domain, domain.segments[i]));
     division.end_row();
   }
   return division;

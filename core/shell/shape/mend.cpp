@@ -30,16 +30,11 @@ bool is_better(const ShapeSmoother::Verdict& a, const ShapeSmoother::Verdict& b,
 }
 
 bool has_short_side(const ShellMesh& mesh) {
-  return std::any_of(mesh.faces.begin(), mesh.faces.end(), [&](const Face& face) {
-    double least = 1e300, most = 0;
-    const int n = corner_count(face);
-    for (int k = 0; k < n; ++k) {
-      const double side = squared_length(mesh.points[face[(k + 1) % n]] - mesh.points[face[k]]);
-      least = std::min(least, side);
-      most = std::max(most, side);
-    }
-    return least < shortest_side * shortest_side * most;
-  });
+  for (Index f = 0; f < static_cast<Index>(mesh.faces.size()); ++f) {
+    const SquaredSides sides = squared_sides(mesh, f);
+    if (sides.least < shortest_side * shortest_side * sides.most) return true;
+  }
+  return false;
 }
 
 }  // namespace

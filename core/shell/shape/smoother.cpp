@@ -17,22 +17,25 @@ constexpr double mean_ratio_tolerance = 1e-3;
 // Of the longest: angles at the ends of such a side say nothing.
 constexpr double vanished = 1e-9;
 
-bool has_vanished_side(const SpaceQuad& p) {
-  double least = squared_length(p[0] - p[3]), most = least;
-  for (int k = 0; k < 3; ++k) {
-    const double side = squared_length(p[k + 1] - p[k]);
-    least = std::min(least, side);
-    most = std::max(most, side);
-  }
-  return least < vanished * vanished * most;
-}
-
 }  // namespace
+
+SquaredSides squared_sides(const ShellMesh& mesh, Index f) {
+  const Face& face = mesh.faces[f];
+  const int n = corner_count(face);
+  SquaredSides sides{1e300, 0};
+  for (int k = 0; k < n; ++k) {
+    const double side = squared_length(mesh.points[face[(k + 1) % n]] - mesh.points[face[k]]);
+    sides = {std::min(sides.least, side), std::max(sides.most, side)};
+  }
+  return sides;
+}
 
 double signed_eta(const ShapeGround& ground, const ShellMesh& mesh, Index f) {
   if (mesh.faces[f][3] == none) return 1;
   const SpaceQuad p = corners_of(mesh, f);
-  if (has_vanished_side(p) || !is_strictly_convex(p, ground.outside.at(mesh, f))) return -1;
+  const SquaredSides sides = squared_sides(mesh, f);
+  if (sides.least < vanished * vanished * sides.most) return -1;
+  if (!is_strictly_convex(p, ground.outside.at(mesh, f))) return -1;
   return quad_eta(p[0], p[1], p[2], p[3]);
 }
 

@@ -9,7 +9,14 @@
 
 namespace lpq {
 
-/// eta of a quad, -1 if it is not strictly convex as the surface sees it; 1 for a triangle.
+struct SquaredSides {
+  double least = 0, most = 0;
+};
+/// Of the sides of a face.
+SquaredSides squared_sides(const ShellMesh& mesh, Index f);
+
+/// eta of a quad, -1 if it is not strictly convex as the surface sees it or a side has vanished
+/// beside the others; 1 for a triangle.
 double signed_eta(const ShapeGround& ground, const ShellMesh& mesh, Index f);
 
 class ShapeSmoother {
