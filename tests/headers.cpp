@@ -1,0 +1,1 @@
+// Precompiles catch.h for the tests of all rooms (LPQ_PCH).
