@@ -45,6 +45,30 @@ test('a preset is meshed at once, and every layer can be shown', async () => {
   await page.context().close();
 });
 
+test('the planes are drawn when what they show has changed, not at every step', async () => {
+  const page = await openSpace();
+  const { drawn, steps, changes } = await page.evaluate(async () => {
+    const { runner, store } = globalThis.playground;
+    const context = document.querySelector('#plane-view canvas').getContext('2d');
+    const counts = { drawn: 0, steps: 0, changes: 0 };
+    const { setTransform } = context;
+    context.setTransform = (...matrix) => { ++counts.drawn; setTransform.apply(context, matrix); };
+    let before = runner.run;
+    const stop = runner.subscribe((run) => {
+      ++counts.steps;
+      if (['charts', 'cells'].some((part) => run.frame[part] !== before.frame[part]) || run.result !== before.result) ++counts.changes;
+      before = run;
+    });
+    await runner.start(store.project);
+    await new Promise((painted) => requestAnimationFrame(() => requestAnimationFrame(painted)));
+    stop();
+    return counts;
+  });
+  assert.ok(drawn >= 2 && drawn <= changes, `${drawn} pictures of ${changes} changes`);
+  assert.ok(steps > changes);
+  await page.context().close();
+});
+
 test('the picture changes when the surface is turned by key', async () => {
   const page = await openSpace();
   const canvas = page.locator('#space-view canvas');

@@ -47,6 +47,17 @@ export function installPlanes(app, element) {
     requestAnimationFrame(paint);
   };
 
+  /** @type {unknown[]} */
+  let drawn = [];
+  /** Most steps of a run change nothing here, and tens of thousands of triangles are slow to draw. */
+  const refresh = () => {
+    const { frame: { charts, cells }, result } = app.runner.run;
+    const depends = [charts, cells, result, app.pointed.chart, app.themes.dark, app.layers().has('cells')];
+    if (depends.every((one, i) => one === drawn[i])) return;
+    drawn = depends;
+    invalidate();
+  };
+
   /** @param {PointerEvent} event */
   function chartAt({ clientX, clientY }) {
     const now = layoutNow();
@@ -66,7 +77,7 @@ export function installPlanes(app, element) {
     app.announce(`Chart ${app.pointed.chart + 1} of ${count}`);
   });
   new ResizeObserver(invalidate).observe(element);
-  return invalidate;
+  return refresh;
 }
 
 /** @param {CanvasRenderingContext2D} context
