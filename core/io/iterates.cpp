@@ -51,7 +51,6 @@ class Writer {
  public:
   explicit Writer(const Trace& trace) : trace_(trace), json_(text_) {
     json_.begin_object();
-    json_.member("points", trace.start.points.size());
     json_.member("boundaryNodes", trace.start.fixed);
     json_.key("iterates");
     json_.begin_array();
@@ -84,6 +83,7 @@ class Writer {
     json_.new_line();
     json_.begin_object();
     json_.member("iteration", iterate.iteration);
+    json_.member("points", iterate.mesh.points.size());
     json_.member("triangles", iterate.mesh.triangles.size());
     json_.member("pieces", pieces.site.size());
     json_.member("corners", pieces.corners.values.size());
@@ -93,6 +93,7 @@ class Writer {
   void append_densities(const TriMesh& mesh) {
     EnergyOptions energy;
     energy.p = trace_.norm;
+    workspace_.hints.clear();  // restarts number the vertices anew
     lp_energy(mesh, *trace_.fields, energy, workspace_, {});
     const double area_unit = trace_.frame.scale * trace_.frame.scale;
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {

@@ -1,9 +1,9 @@
 // The iterations of L_p as files that a viewer can step through: iterates.json says what is in
 // iterates.bin, which is binary because a run of 1,000 points and 80 iterations is 12 MB of it.
 //
-//   iterates.json  {"points": #V, "boundaryNodes": number of them that are fixed and come first,
-//                   "iterates": [{"iteration": k, "triangles": #T, "pieces": #P, "corners": #C},
-//                   ...]}
+//   iterates.json  {"boundaryNodes": number of points that are fixed and come first,
+//                   "iterates": [{"iteration": k, "points": #V, "triangles": #T, "pieces": #P,
+//                   "corners": #C}, ...]}
 //   iterates.bin   for each of these, little-endian, without anything between:
 //                   doubles  #V points x, y; #V densities (energy of the cell / its area);
 //                            #C corners x, y of the pieces of Voronoi cells, counter-clockwise

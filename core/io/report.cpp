@@ -17,6 +17,35 @@ const char* status_name(LpStatus status) {
   return "";
 }
 
+void append_rounds(JsonWriter& json, const std::vector<RestartRound>& rounds) {
+  json.key("rounds");
+  json.begin_array();
+  for (const RestartRound& round : rounds) {
+    json.begin_object();
+    json.member("inserted", round.inserted);
+    json.member("removed", round.removed);
+    json.member("kept", round.kept);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+std::string rounds_text(const std::vector<RestartRound>& rounds) {
+  std::int64_t kept = 0, inserted = 0, removed = 0;
+  for (const RestartRound& round : rounds) {
+    if (!round.kept) continue;
+    ++kept;
+    inserted += round.inserted;
+    removed += round.removed;
+  }
+  return Facts()
+      .count("tried", static_cast<std::int64_t>(rounds.size()))
+      .count("kept", kept)
+      .count("inserted", inserted)
+      .count("removed", removed)
+      .text();
+}
+
 void append_lp(JsonWriter& json, const Report& report) {
   json.key("lp");
   json.begin_object();
@@ -26,6 +55,7 @@ void append_lp(JsonWriter& json, const Report& report) {
     json.member("status", status_name(report.lp_status));
     json.array("energy", report.energy_history);
     json.array("gradientNorm", report.gradient_norm_history);
+    append_rounds(json, report.lp_rounds);
   }
   json.end_object();
 }
@@ -90,6 +120,7 @@ std::string report_text(const Report& report, const OutputMesh& mesh) {
     energy += status_name(report.lp_status);
     energy += ')';
     append_row(out, "L_p energy", energy);
+    if (!report.lp_rounds.empty()) append_row(out, "L_p restarts", rounds_text(report.lp_rounds));
   }
   return out + end_text(report.times, report.warnings);
 }

@@ -12,6 +12,7 @@ struct Attempt {
   Seeds seeds = Seeds::aligned;
   bool given = false;  // start from the caller's points instead
   int iterations = 0;
+  int restarts = 0;  // rounds of exchanging points after these
   double size_factor = 1;
   bool subdivide = false;    // three quads per triangle: always valid, never pretty
   bool alternative = false;  // run even when the one before passed; the better mesh is kept

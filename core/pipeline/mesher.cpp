@@ -127,12 +127,12 @@ Result<Stage> Mesher::make_seeds() {
     LpOptions lp;
     lp.energy.p = options_.norm;
     lp.max_iterations = attempt().iterations;
-    auto optimizer = LpOptimizer::start(nodes, *fields_, seeds_, lp);
+    auto optimizer = LpRestarts::start(nodes, *fields_, seeds_, lp, {.rounds = attempt().restarts});
     if (!optimizer) return next_attempt(optimizer.error());
     optimizer_ = std::move(*optimizer);
     triangles_ = optimizer_->mesh();
     stage_ = Stage::optimise;
-    report_.chain += " + L_p";
+    report_.chain += attempt().restarts > 0 ? " + L_p with restarts" : " + L_p";
   } else {
     auto triangles = triangulate(nodes, seeds_);
     if (!triangles) return next_attempt(triangles.error());
@@ -164,6 +164,7 @@ void Mesher::optimise(int iterations) {
   triangles_ = optimizer_->mesh();
   if (status == LpStatus::running) return;
   report_.lp_status = status;
+  report_.lp_rounds = optimizer_->rounds();
   report_.energy_history = optimizer_->energy_history();
   report_.gradient_norm_history = optimizer_->gradient_norm_history();
   optimizer_.reset();

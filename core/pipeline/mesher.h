@@ -9,6 +9,7 @@
 
 #include "base/result.h"
 #include "domain/domain.h"
+#include "lpcvt/restarts.h"
 #include "mesh/output_mesh.h"
 #include "patches/remesh.h"
 #include "pipeline/attempts.h"
@@ -38,7 +39,9 @@ class Mesher {
   const Options& options() const { return options_; }
   const Report& report() const { return report_; }
   int iterations() const { return optimizer_ ? optimizer_->iterations() : 0; }  // of L_p, so far
-  int max_iterations() const { return attempt().iterations; }
+  int max_iterations() const {
+    return optimizer_ ? optimizer_->max_iterations() : attempt().iterations;
+  }
   double energy() const { return optimizer_ ? optimizer_->energy() : 0; }
   double gradient_norm() const;  // of the energy, now
   const UnitFrame& frame() const;
@@ -84,7 +87,7 @@ class Mesher {
   Stage stage_ = Stage::seeds;
   std::vector<Attempt> attempts_;
   std::size_t attempt_ = 0;
-  std::optional<LpOptimizer> optimizer_;
+  std::optional<LpRestarts> optimizer_;
   std::vector<Vec2> seeds_;
   TriMesh triangles_;
   QuadMesh quads_;

@@ -42,6 +42,7 @@ struct Options {
   Seeds seeds = Seeds::automatic;
   double norm = 6;
   int iterations = -1;
+  int restarts = -1;
   std::uint64_t seed = 1;
   double growth = 0;
   double simplify = 0;
@@ -81,6 +82,12 @@ void each_lp_field(O& o, F&& visit) {
       "iterations", o.iterations,
       FieldInfo{-1, 100000, "",
                 "L-BFGS iterations; -1 is 80 for an isotropic start and none for an aligned one."});
+  visit(
+      "restarts", o.restarts,
+      FieldInfo{-1, 1000, "",
+                "Rounds after these that insert points in gaps, remove some where they crowd, and "
+                "iterate 30 times; -1 is 10 for an isotropic start of the best chain whose "
+                "iterations are left to us, else none."});
 }
 
 template <class O, class F>

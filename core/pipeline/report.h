@@ -7,7 +7,7 @@
 
 #include "base/result.h"
 #include "field/field.h"
-#include "lpcvt/optimizer.h"
+#include "lpcvt/restarts.h"
 #include "mesh/quality.h"
 
 namespace lpq {
@@ -33,7 +33,8 @@ struct Report {
   LpStatus lp_status = LpStatus::converged;
   std::vector<double> energy_history;  // Fig. 19; empty when L_p did not run
   std::vector<double> gradient_norm_history;
-  double tau = 0;  // Eq. 2, of the triangulation before the matching
+  std::vector<RestartRound> lp_rounds;  // exchanges of points, the undone ones too
+  double tau = 0;                       // Eq. 2, of the triangulation before the matching
   std::int64_t matching_cost = 0;
   Index extra_edges = 0;
   Index attempts = 1;  // chains tried until the final check passed

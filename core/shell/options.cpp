@@ -11,6 +11,7 @@ Options chart_options(const SurfaceOptions& options) {
   planar.seeds = options.seeds;
   planar.norm = options.norm;
   planar.iterations = options.iterations;
+  planar.restarts = options.restarts;
   planar.seed = options.seed;
   planar.growth = 1;  // the surface's sizes are limited already
   planar.size_weight = options.size_weight;

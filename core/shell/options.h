@@ -17,6 +17,7 @@ struct SurfaceOptions {
   Seeds seeds = Seeds::automatic;
   double norm = 6;
   int iterations = -1;
+  int restarts = -1;
   std::uint64_t seed = 1;
   double size_weight = 0.11;
   int smoothing = -1;

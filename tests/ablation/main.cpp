@@ -17,6 +17,7 @@
 #include "cleanup/smooth.h"
 #include "delaunay/delaunay.h"
 #include "io/domain/json_domain.h"
+#include "lpcvt/restarts.h"
 #include "lpcvt/seeds.h"
 #include "mesh/quality.h"
 #include "patches/remesh.h"
@@ -31,6 +32,7 @@ namespace {
 struct Variant {
   const char* name;
   bool cavities = true, patches = true, rounded = true, annealed = false;
+  int restarts = -1;   // of L_p from an isotropic start; -1 = the aligned start, no L_p
   double size = 0.12;  // Options::size_weight
   int smoothing = 300;
   std::vector<PatchPass> passes{{20}, {60}, {200}};
@@ -45,6 +47,10 @@ const Variant variants[] = {
     {.name = "without rounding of kinks", .rounded = false},
     {.name = "without the last smoothing", .smoothing = 0},
     {.name = "with annealing", .annealed = true},
+    {.name = "isotropic start, L_p", .restarts = 0},
+    {.name = "the same with restarts", .restarts = 10},
+    {.name = "isotropic start, L_p, without patches", .patches = false, .restarts = 0},
+    {.name = "the same with restarts", .patches = false, .restarts = 10},
 };
 
 struct Sums {
@@ -72,9 +78,20 @@ void remesh(const PatchOptions& options, const Fields& fields, QuadMesh& mesh) {
   mesh = remesher.mesh();
 }
 
+Result<TriMesh> triangles_with(const Variant& variant, const Preparation& prepared) {
+  const BoundaryMesh& boundary = prepared.boundary;
+  const Fields& fields = prepared.fields;
+  if (variant.restarts < 0) return triangulate(boundary, aligned_seeds(boundary, fields));
+  auto optimiser = LpRestarts::start(boundary, fields, isotropic_seeds(boundary, fields), {},
+                                     {.rounds = variant.restarts});
+  if (!optimiser) return optimiser.error();
+  while (optimiser->step(100) == LpStatus::running) {
+  }
+  return optimiser->mesh();
+}
+
 QuadMesh mesh_with(const Variant& variant, const Preparation& prepared) {
-  const std::vector<Vec2> seeds = aligned_seeds(prepared.boundary, prepared.fields);
-  const auto triangles = triangulate(prepared.boundary, seeds);
+  const auto triangles = triangles_with(variant, prepared);
   if (!triangles) return {};
   CleanupOptions cleanup;
   cleanup.topology = variant.cavities;

@@ -38,6 +38,7 @@ TEST_CASE("a report holds every option by name, and without times the same bytes
   Report report;
   report.hash = 0x0123456789abcdefu;
   report.energy_history = {2, 1};
+  report.lp_rounds = {{3, 1, true, 0.5}, {2, 0, false, 0.7}};
   report.times = {{"match", 0.25}};
   report.warnings.push_back({ErrorCode::duplicate_point, "Merged.", {}});
   const OutputMesh mesh = lpq_test::grid_mesh(2);
@@ -84,8 +85,8 @@ TEST_CASE("the bytes of the iterations are as many as their index says") {
   write_iterates(trace, [&](std::string_view name, const std::string& content) {
     (name == "iterates.json" ? index : bytes) = content;
   });
-  CHECK(index.find("\"points\":4,\"boundaryNodes\":4") != std::string::npos);
-  CHECK(index.find("\"iteration\":2,\"triangles\":2,\"pieces\":4,\"corners\":") !=
+  CHECK(index.find("\"boundaryNodes\":4") != std::string::npos);
+  CHECK(index.find("\"iteration\":2,\"points\":4,\"triangles\":2,\"pieces\":4,\"corners\":") !=
         std::string::npos);
   const std::size_t corners = std::stoul(index.substr(index.rfind(':') + 1));
   const std::size_t words = 2 * (8 + 4 + 2 * corners) + 6 + 4 + 5;

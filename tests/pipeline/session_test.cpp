@@ -15,6 +15,8 @@ using namespace lpq_test;
 namespace {
 
 const Options paper{.keep_boundary = true, .method = Method::paper, .iterations = 30};
+const Options restarted{
+    .keep_boundary = true, .method = Method::paper, .iterations = 30, .restarts = 3};
 
 Session started(const DomainInput& input, const Options& options = paper) {
   auto session = Session::start(input, options);
@@ -47,12 +49,13 @@ TEST_CASE("a session ends where the batch run ends, however it is stepped") {
   CHECK(by_one.ticks() == by_seven.ticks());
 }
 
-TEST_CASE("a traced run keeps the mesh of every iteration, as a session shows it") {
+void check_iterates(const Options& options) {
   Trace trace;
   const DomainInput input = disc(0.1);
-  REQUIRE(mesh_domain(input, paper, {}, &trace));
+  const auto batch = mesh_domain(input, options, {}, &trace);
+  REQUIRE(batch);
   REQUIRE(trace.iterates.size() > 10);
-  Session session = started(input);
+  Session session = started(input, options);
   REQUIRE(session.step());
   for (std::size_t k = 0; k < trace.iterates.size(); ++k) {
     REQUIRE(session.step());
@@ -60,8 +63,15 @@ TEST_CASE("a traced run keeps the mesh of every iteration, as a session shows it
     CHECK(trace.iterates[k].mesh.points == session.mesher().triangles().points);
     CHECK(trace.iterates[k].mesh.triangles == session.mesher().triangles().triangles);
   }
-  CHECK(session.mesher().stage() == Stage::match);
+  CHECK(trace.iterates.size() + 1 == batch->report.energy_history.size());
   CHECK(trace.iterates.back().mesh.points == trace.triangles.points);
+  finish(session);
+  CHECK(session.mesher().report().hash == batch->report.hash);
+}
+
+TEST_CASE("a traced run keeps the mesh of every iteration, as a session shows it") {
+  check_iterates(paper);
+  check_iterates(restarted);
 }
 
 TEST_CASE("without L_p there are no iterations to keep") {
@@ -81,8 +91,8 @@ TEST_CASE("a log of iterations that grows too large keeps every second, fourth, 
   CHECK(kept == std::vector<int>{4, 8, 12, 16, 20});
 }
 
-TEST_CASE("going back shows exactly the points that were there") {
-  Session session = started(disc(0.1));
+void check_going_back(const Options& options) {
+  Session session = started(disc(0.1), options);
   std::vector<std::vector<Vec2>> seen{triangle_layer(session.mesher()).points};
   while (session.mesher().stage() != Stage::done) {
     REQUIRE(session.step());
@@ -96,6 +106,29 @@ TEST_CASE("going back shows exactly the points that were there") {
   }
   CHECK_FALSE(session.restore(-1));
   CHECK(session.ticks() == last);
+}
+
+TEST_CASE("going back shows exactly the points that were there") {
+  check_going_back(paper);
+  check_going_back(restarted);
+}
+
+TEST_CASE("restarts come by themselves where the count is ours, and are reported") {
+  const DomainInput input = disc(0.1);
+  const auto rounds = [&](Options options, const UserFields& user = {}) {
+    const auto outcome = mesh_domain(input, options, {}, nullptr, user);
+    REQUIRE(outcome);
+    return outcome->report.lp_rounds.size();
+  };
+  const UserFields own{.seeds = {{0.1, 0.1}, {-0.2, 0.1}, {0, 0.3}}};
+  CHECK(rounds({.seeds = Seeds::isotropic}) > 1);
+  CHECK(rounds({.seeds = Seeds::isotropic, .restarts = 0}) == 0);
+  CHECK(rounds({.seeds = Seeds::isotropic, .iterations = 20}) == 0);
+  CHECK(rounds({.method = Method::paper}) == 0);
+  CHECK(rounds({.method = Method::paper, .restarts = 2}) == 2);
+  CHECK(rounds({}) == 0);
+  CHECK(rounds({}, own) == 0);
+  CHECK(rounds({.restarts = 3}, own) == 3);
 }
 
 TEST_CASE("a copy goes its own way") {

@@ -109,7 +109,7 @@ test('missing and damaged files are named', () => {
   };
   assert.throws(() => readStages(paper.files, damaged(0, NaN)), /no finite number/);
   assert.throws(() => readStages(paper.files, damaged(-16, NaN)), /names something that is not there/);
-  assert.throws(() => readStages(changed('iterates.json', '{"points":9,"boundaryNodes":4,"iterates":[{"iteration":1}]}'), paper.bytes), /without “pieces”/);
+  assert.throws(() => readStages(changed('iterates.json', '{"boundaryNodes":4,"iterates":[{"iteration":1,"points":9}]}'), paper.bytes), /without “pieces”/);
   assert.ok(readStages(paper.files).steps.length < 10);  // a folder of before
   assert.ok(isStagesFolder(paper.names));
   assert.ok(!isStagesFolder(['plate.json', 'notes.txt', 'energy.json']));

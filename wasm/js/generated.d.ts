@@ -47,6 +47,13 @@ export interface MeshOptions {
    */
   iterations?: number;
   /**
+   * Rounds after these that insert points in gaps, remove some where they crowd, and iterate 30 times; -1 is 10 for an isotropic start of the best chain whose iterations are left to us, else none.
+   * A whole number.
+   * Range: -1 to 1000.
+   * @default -1
+   */
+  restarts?: number;
+  /**
    * Seed of the isotropic start's jitter.
    * A whole number.
    * Range: 0 to 9007199254740991.
@@ -165,6 +172,13 @@ export interface SurfaceOptions {
    * @default -1
    */
   iterations?: number;
+  /**
+   * Rounds after these that insert points in gaps, remove some where they crowd, and iterate 30 times; -1 is 10 for an isotropic start of the best chain whose iterations are left to us, else none.
+   * A whole number.
+   * Range: -1 to 1000.
+   * @default -1
+   */
+  restarts?: number;
   /**
    * Seed of random choices.
    * A whole number.

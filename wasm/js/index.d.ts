@@ -162,7 +162,11 @@ export interface Report {
   };
   /** Edge length over target. */
   size: { p10: number; p50: number; p90: number; min: number; max: number };
-  lp: { ran: boolean; status?: string; energy?: number[]; gradientNorm?: number[] };
+  lp: {
+    ran: boolean; status?: string; energy?: number[]; gradientNorm?: number[];
+    /** Points inserted and removed before each restart (option `restarts`), and whether the round was kept or undone. */
+    rounds?: { inserted: number; removed: number; kept: boolean }[];
+  };
   options: Required<MeshOptions>;
   cpuSeconds: Record<string, number>;
   warnings: ReportedError[];

@@ -7,7 +7,7 @@ import { boundsOf } from '../draw/view.js';
 
 /** @type {Record<string, string>} */
 const names = {
-  size: 'Size of the quads', norm: 'Exponent p', iterations: 'Iterations', seeds: 'First points', seed: 'Random seed',
+  size: 'Size of the quads', norm: 'Exponent p', iterations: 'Iterations', restarts: 'Restarts', seeds: 'First points', seed: 'Random seed',
   smoothing: 'Smoothing', method: 'Method', effort: 'Effort', keepBoundary: 'Keep the boundary', elements: 'Elements',
   growth: 'Growth of sizes', simplify: 'Simplify the outline', allowAddedPoint: 'Allow one added point',
   strict: 'Strict about repeated points', sizeWeight: 'Weight of sizes', maxElements: 'Most elements',

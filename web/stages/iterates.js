@@ -41,13 +41,13 @@ class Cursor {
   }
 }
 
-/** @param {Cursor} cursor  @param {number} points  @param {number} boundaryNodes  @param {Record<string, unknown>} entry  @returns {Iterate} */
-function readIterate(cursor, points, boundaryNodes, entry) {
+/** @param {Cursor} cursor  @param {number} boundaryNodes  @param {Record<string, unknown>} entry  @returns {Iterate} */
+function readIterate(cursor, boundaryNodes, entry) {
   const size = (/** @type {string} */ name) => {
     const value = entry?.[name];
     return Number.isSafeInteger(value) && Number(value) >= 0 ? Number(value) : refuse(name);
   };
-  const iteration = size('iteration'), pieces = size('pieces'), corners = size('corners');
+  const iteration = size('iteration'), points = size('points'), pieces = size('pieces'), corners = size('corners');
   const positions = cursor.doubles(2 * points), density = cursor.doubles(points), outlines = cursor.doubles(2 * corners);
   const triangles = { points: positions, triangles: cursor.indices(Uint32Array, 3 * size('triangles'), points), boundaryNodes };
   const sites = cursor.indices(Int32Array, pieces, points), offsets = cursor.indices(Int32Array, pieces + 1, corners + 1);
@@ -62,8 +62,8 @@ const refuse = (name) => { throw new BadStages(`iterates.json has an entry witho
 export function readIterates(index, bytes) {
   if (index === undefined || bytes === undefined) return [];
   const fields = new Fields('iterates.json', index), cursor = new Cursor(bytes);
-  const points = fields.number('points'), boundaryNodes = fields.number('boundaryNodes');
-  const iterates = fields.list('iterates').map((entry) => readIterate(cursor, points, boundaryNodes, entry));
+  const boundaryNodes = fields.number('boundaryNodes');
+  const iterates = fields.list('iterates').map((entry) => readIterate(cursor, boundaryNodes, entry));
   if (!cursor.ended) throw new BadStages(`${binary} is longer than iterates.json says.`);
   return iterates;
 }

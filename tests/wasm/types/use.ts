@@ -31,7 +31,7 @@ export async function direct(): Promise<void> {
   const regions: Domain = { regions: [{ name: 'steel', loops: [[0, 0, 1, 0, 1, 1]] }] };
   const mesh: MeshResult = lpquad.meshDomain(domain, {
     size: 0.1, keepBoundary: true, elements: 'quad-dominant', method: 'paper', seeds: 'aligned', norm: 4,
-    iterations: 10, seed: 3, sizes: [[0.5, 0.5, 0.01]], guides: [[0, 0, 1, 1]], sizeAt: (x: number, y: number) => x + y,
+    iterations: 10, restarts: 2, seed: 3, sizes: [[0.5, 0.5, 0.01]], guides: [[0, 0, 1, 1]], sizeAt: (x: number, y: number) => x + y,
     angleAt: () => 0, onProgress: ({ stage, iteration, energy }) => stage !== 'clean' && iteration + energy < 9,
   });
   lpquad.meshDomain(regions);
