@@ -61,6 +61,7 @@ void append_repairs(JsonWriter& json, const RepairReport& repair) {
   json.member("pointsGiven", repair.points_given);
   json.member("trianglesGiven", repair.triangles_given);
   json.member("weldedPoints", repair.welded_points);
+  json.member("slitPoints", repair.slit_points);
   json.member("unusedPoints", repair.unused_points);
   json.member("collapsedTriangles", repair.collapsed_triangles);
   json.member("duplicateTriangles", repair.duplicate_triangles);

@@ -7,11 +7,15 @@
 
 #include "surface/flat.h"
 #include "surface/orient.h"
+#include "surface/slits.h"
 #include "surface/weld.h"
 
 namespace lpq {
 namespace {
 
+// Points as near as this, relative to the diagonal, may be the two sides of a slit: of the order of
+// what CAD kernels take for one point.
+constexpr double slit_width = 1e-6;
 // A triangle lower than this, relative to the diagonal, is flat: what rounding leaves of collinear
 // points. Removing it moves the surface by no more than that.
 constexpr double flat_height = 1e-10;
@@ -34,6 +38,7 @@ class Repair {
     weld();
     drop_collapsed();
     drop_duplicates();
+    close_slits();
     if (!remove_flat()) return nothing_left();
     return finish();
   }
@@ -144,8 +149,25 @@ class Repair {
     first_ = weld_points(soup_.points, used_, weld * diagonal_, body_);
     for (std::size_t v = 0; v < first_.size(); ++v)
       report_.welded_points += first_[v] != static_cast<Index>(v);
+    renumber(first_);
+  }
+
+  void renumber(const std::vector<Index>& number) {
     for (Tri& t : soup_.triangles)
-      for (Index& v : t) v = first_[v];
+      for (Index& v : t) v = number[v];
+  }
+
+  void close_slits() {
+    if (options_.weld < least_weld || !(diagonal_ > 0)) return;
+    const std::vector<Index> across =
+        points_across_slits(soup_.points, soup_.triangles, slit_width * diagonal_);
+    if (across.empty()) return;
+    for (std::size_t v = 0; v < across.size(); ++v)
+      report_.slit_points += across[v] != static_cast<Index>(v);
+    renumber(across);
+    for (Index& v : first_) v = across[v];
+    drop_collapsed();
+    drop_duplicates();
   }
 
   /// Keeps the triangles for which keep(t) holds, and says how many it dropped.

@@ -14,12 +14,14 @@ namespace lpq {
 struct RepairOptions {
   /// Points nearer than this, relative to the bounding box's diagonal, are one point. 1e-10 is what
   /// rounding leaves of equal points; files whose sheets do not quite meet may need 1e-7 or more.
+  /// Slits of 1e-6 are closed unless this is 0.
   double weld = 1e-10;  // 0 .. 0.01, 0 welds equal points only
 };
 
 struct RepairReport {
   Index points_given = 0, triangles_given = 0;
   Index welded_points = 0;        // became one with an earlier point
+  Index slit_points = 0;          // the same, across gaps of no width (slits.h)
   Index unused_points = 0;        // no triangle has them
   Index collapsed_triangles = 0;  // two corners are one point
   Index duplicate_triangles = 0;  // same three corners as an earlier one, either way round

@@ -14,6 +14,8 @@ std::vector<Warning> repair_warnings(const RepairReport& report) {
     const std::string what = count == 1 ? " " + one + " was " : " " + many + " were ";
     warnings.push_back({code, std::to_string(count) + what + rest, {}});
   };
+  warn(ErrorCode::duplicate_point, report.slit_points, "point", "points",
+       "made one with another across a slit without width.");
   warn(ErrorCode::duplicate_point, report.collapsed_triangles, "triangle", "triangles",
        "left out: two corners are the same point.");
   warn(ErrorCode::overlapping_edges, report.duplicate_triangles, "triangle", "triangles",

@@ -1,6 +1,8 @@
 // Repair: every defect is mended or cut, counted, and what comes out is a surface.
 #include "surface/repair.h"
 
+#include <algorithm>
+
 #include "base/rng.h"
 #include "catch.h"
 #include "support/surface_checks.h"
@@ -178,6 +180,40 @@ TEST_CASE("nearly equal points are welded when asked") {
   CHECK(welded.report.components == 1);
   CHECK(welded.report.border_edges == 0);
   CHECK(welded.mesh.vertex_count() == 6 * 9 + 2);
+}
+
+TEST_CASE("slits without width are closed, narrow sheets and sheets side by side stay") {
+  // A box, a vertex of which is two: one for the triangles on one side of it, one for the others.
+  const SurfaceMesh box = repaired(box_soup({1, 2, 1}, 4)).mesh;
+  const SurfaceSoup soup = soup_of(box.points, box.triangles);
+  const auto torn = static_cast<Index>(
+      std::find(soup.points.begin(), soup.points.end(), Vec3{0.5, 1, 1}) - soup.points.begin());
+  const auto other = static_cast<Index>(soup.points.size());
+  REQUIRE(torn < other);
+  for (const double gap : {1e-8, 1e-7, 1e-3}) {
+    SurfaceSoup part = soup;
+    part.points.push_back(soup.points[torn] + Vec3{gap, 0, 0});
+    for (Tri& t : part.triangles) {
+      const Vec3 centre = (1.0 / 3) * (soup.points[t[0]] + soup.points[t[1]] + soup.points[t[2]]);
+      if (centre.x > 0.5) std::replace(t.begin(), t.end(), torn, other);
+    }
+    const auto result = repaired(part);
+    const bool closes = gap < 1e-6;
+    CHECK(result.report.slit_points == closes);
+    CHECK(result.report.border_edges == (closes ? 0 : 4));
+    CHECK(result.mesh.triangles.size() == part.triangles.size());
+    CHECK(repaired(part, {.weld = 0}).report.slit_points == 0);
+  }
+  SurfaceSoup strip = band_soup(12, 0);
+  for (Vec3& p : strip.points) p = 1e-8 * p;
+  const Index low = static_cast<Index>(strip.points.size());
+  strip.points.insert(strip.points.end(), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  strip.triangles.push_back({low, low + 1, low + 2});  // large beside it
+  strip.points.insert(strip.points.end(), {{0, 0, 1e-8}, {1, 0, 1e-8}, {0, 1, 1e-8}});
+  strip.triangles.push_back({low + 3, low + 4, low + 5});
+  const auto result = repaired(strip);
+  CHECK(result.report.slit_points == 0);
+  CHECK(result.mesh.triangles.size() == strip.triangles.size());
 }
 
 TEST_CASE("flat triangles go and leave no gap") {

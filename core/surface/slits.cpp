@@ -1,0 +1,37 @@
+#include "surface/slits.h"
+
+#include <algorithm>
+
+#include "base/disjoint_sets.h"
+#include "surface/edges.h"
+#include "surface/weld.h"
+
+namespace lpq {
+namespace {
+
+constexpr double long_edge = 100;  // times the reach
+
+}  // namespace
+
+std::vector<Index> points_across_slits(std::span<const Vec3> points, std::span<const Tri> triangles,
+                                       double reach) {
+  const auto count = static_cast<Index>(points.size());
+  const SurfaceEdges edges = surface_edges(triangles, count);
+  DisjointSets lines(count);
+  std::vector<char> used(points.size(), 0);
+  for (Index e = 0; e < edges.count(); ++e) {
+    if (edges.half_edges.row(e).size() != 1) continue;
+    const auto [a, b] = edges.ends[e];
+    lines.unite(a, b);
+    if (distance(points[a], points[b]) > long_edge * reach) used[a] = used[b] = 1;
+  }
+  if (std::find(used.begin(), used.end(), 1) == used.end()) return {};
+  std::vector<Index> line(points.size());
+  for (Index v = 0; v < count; ++v) line[v] = lines.root(v);
+  std::vector<Index> first = weld_points(points, used, reach, line);
+  for (Index v = 0; v < count; ++v)
+    if (first[v] != v) return first;
+  return {};
+}
+
+}  // namespace lpq
