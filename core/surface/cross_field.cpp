@@ -1,13 +1,11 @@
 #include "surface/cross_field.h"
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 
-#include "base/rng.h"
 #include "field/field.h"
-#include "numerics/sparse.h"
 #include "surface/components.h"
+#include "surface/cross_system.h"
 #include "surface/curvature.h"
 #include "surface/frames.h"
 
@@ -20,54 +18,30 @@ using Complex = std::complex<double>;
 constexpr double consistent_mean = 0.3;
 // Two triangles across an edge count as no flatter than this: it bounds the stiffness of needles.
 constexpr double least_area_ratio = 1e-4;
-// Times of the diffusion steps as shares of the surface's area: long ones let misplaced pairs of
-// singularities meet and vanish, short ones settle those that stay.
-constexpr double diffusion_shares[] = {0.1, 0.01, 0.001};
-// Keeps the matrix regular where nothing is prescribed and a field exists that does not bend.
-constexpr double shift = 1e-9;
-// Inverse iteration ends when a step turns the field by less than this in the mean; the diffusion
-// steps smooth the rest away.
-constexpr double converged = 0.01;
-constexpr int most_inverse_iterations = 40;
 
 Complex complex_of(Vec2 z) { return {z.x, z.y}; }
-double norm2_of(Complex z) { return z.real() * z.real() + z.imag() * z.imag(); }
-
-Complex normalised(Complex z) {
-  const double norm = std::sqrt(norm2_of(z));
-  return norm > 0 ? z / norm : z;
-}
 
 class CrossSolver {
  public:
   CrossSolver(const SurfaceMesh& mesh, std::span<const char> feature,
               const SurfaceCrossOptions& options);
-  std::vector<Vec2> solve();
+  std::vector<Vec2> solve() const;
 
  private:
   void fix_at_features(std::span<const char> feature);
   void assemble();
   void prefer_curvature(std::span<const char> feature, double weight);
   void find_free_components();
-  std::vector<ComplexTriplet> matrix_with(double mass) const;
-  void iterate_inverse(const SparseFactor<Complex>& factor);
-  void normalise_free_components();
-  void diffuse(SparseFactor<Complex>& factor, double share);
-  void restore_length();
   Index rows() const { return static_cast<Index>(triangle_.size()); }
 
   const SurfaceMesh& mesh_;
   SurfaceCrossOptions options_;
   std::vector<TriangleLayout> layouts_;
   std::vector<Vec2> transport_;
-  std::vector<Complex> fixed_;             // #T  0 where unknown
-  std::vector<Index> row_of_;              // #T  none where fixed
-  std::vector<Index> triangle_;            // #rows
-  std::vector<double> mass_;               // #rows  area as a share of all
-  std::vector<ComplexTriplet> stiffness_;  // lower triangle
-  std::vector<Complex> rhs_, x_;           // #rows
-  std::vector<Index> free_component_;      // #rows  none where a triangle is fixed
-  Index free_components_ = 0;
+  std::vector<Complex> fixed_;   // #T  0 where unknown
+  std::vector<Index> row_of_;    // #T  none where fixed
+  std::vector<Index> triangle_;  // #rows
+  CrossSystem system_;
 };
 
 CrossSolver::CrossSolver(const SurfaceMesh& mesh, std::span<const char> feature,
@@ -100,19 +74,19 @@ void CrossSolver::fix_at_features(std::span<const char> feature) {
       ++count;
     }
     if (count > 0) {
-      const bool agreed = norm2_of(sum) > consistent_mean * consistent_mean * count * count;
-      fixed_[t] = agreed ? normalised(sum) : complex_of(cross_of(longest));
+      const bool agreed = squared_norm(sum) > consistent_mean * consistent_mean * count * count;
+      fixed_[t] = agreed ? unit_cross(sum) : complex_of(cross_of(longest));
     } else {
       row_of_[t] = rows();
       triangle_.push_back(t);
-      mass_.push_back(total_area > 0 ? layouts_[t].area / total_area : 0);
+      system_.mass.push_back(total_area > 0 ? layouts_[t].area / total_area : 0);
     }
   }
 }
 
 // Finite volumes between centroids: edge length over the distance that the two heights span.
 void CrossSolver::assemble() {
-  rhs_.assign(rows(), {});
+  system_.rhs.assign(rows(), {});
   for (Index row = 0; row < rows(); ++row)
     for (Index k = 0; k < 3; ++k) {
       const Index t = triangle_[row], twin = mesh_.twins[3 * t + k];
@@ -123,11 +97,11 @@ void CrossSolver::assemble() {
       if (length2 == 0) continue;
       const double weight = 1.5 * length2 / std::max(areas, least_area_ratio * length2);
       const Complex coupling = weight * complex_of(transport_[twin]);
-      stiffness_.push_back({row, row, weight});
+      system_.stiffness.push_back({row, row, weight});
       if (row_of_[other] == none)
-        rhs_[row] += coupling * fixed_[other];
+        system_.rhs[row] += coupling * fixed_[other];
       else if (row_of_[other] < row)
-        stiffness_.push_back({row, row_of_[other], -coupling});
+        system_.stiffness.push_back({row, row_of_[other], -coupling});
     }
 }
 
@@ -138,8 +112,8 @@ void CrossSolver::prefer_curvature(std::span<const char> feature, double weight)
     // |kappa_1 - kappa_2| e^{2 i theta} with theta along the larger one.
     const Complex deviation(form.xx - form.yy, 2 * form.xy);
     const double w = weight * layouts_[triangle_[row]].area;
-    stiffness_.push_back({row, row, w * norm2_of(deviation)});
-    rhs_[row] += w * (deviation * deviation);
+    system_.stiffness.push_back({row, row, w * squared_norm(deviation)});
+    system_.rhs[row] += w * (deviation * deviation);
   }
 }
 
@@ -150,81 +124,19 @@ void CrossSolver::find_free_components() {
     if (row_of_[t] == none) free[components.of_triangle[t]] = 0;
   std::vector<Index> number(components.count, none);
   for (Index c = 0; c < components.count; ++c)
-    if (free[c]) number[c] = free_components_++;
-  for (const Index t : triangle_) free_component_.push_back(number[components.of_triangle[t]]);
+    if (free[c]) number[c] = system_.free_components++;
+  for (const Index t : triangle_)
+    system_.free_component.push_back(number[components.of_triangle[t]]);
 }
 
-std::vector<ComplexTriplet> CrossSolver::matrix_with(double mass) const {
-  std::vector<ComplexTriplet> entries = stiffness_;
-  for (Index row = 0; row < rows(); ++row) {
-    const double kept = free_component_[row] == none ? 0 : shift;
-    entries.push_back({row, row, mass * mass_[row] + kept});
-  }
-  return entries;
-}
-
-// Every component has a smallest eigenvalue of its own, hence a length of its own.
-void CrossSolver::normalise_free_components() {
-  std::vector<double> norm2(free_components_, 0.0);
-  for (Index row = 0; row < rows(); ++row)
-    if (free_component_[row] != none) norm2[free_component_[row]] += mass_[row] * norm2_of(x_[row]);
-  for (Index row = 0; row < rows(); ++row) {
-    if (free_component_[row] == none) continue;
-    const double n = norm2[free_component_[row]];
-    if (n > 0) x_[row] = (1 / std::sqrt(n)) * x_[row];
-  }
-}
-
-void CrossSolver::iterate_inverse(const SparseFactor<Complex>& factor) {
-  Rng rng(1);
-  for (Index row = 0; row < rows(); ++row) {
-    if (free_component_[row] == none) continue;
-    const double re = rng.between(-1, 1), im = rng.between(-1, 1);
-    x_[row] = {re, im};
-  }
-  std::vector<Complex> b(rows()), before;
-  for (int i = 0; i < most_inverse_iterations; ++i) {
-    before = x_;
-    for (Index row = 0; row < rows(); ++row)
-      b[row] = free_component_[row] == none ? rhs_[row] : mass_[row] * x_[row];
-    factor.solve(b, x_);
-    normalise_free_components();
-    double change = 0;
-    for (Index row = 0; row < rows(); ++row)
-      if (free_component_[row] != none) change += mass_[row] * norm2_of(x_[row] - before[row]);
-    if (change < converged * converged * free_components_) break;
-  }
-}
-
-void CrossSolver::restore_length() {
-  for (Complex& x : x_) x = normalised(x);
-}
-
-void CrossSolver::diffuse(SparseFactor<Complex>& factor, double share) {
-  factor.refactor(matrix_with(1 / share));
-  if (factor.status() != SparseStatus::ok) return;
-  std::vector<Complex> b(rows());
-  for (int i = 0; i < options_.renormalisations; ++i) {
-    for (Index row = 0; row < rows(); ++row) b[row] = rhs_[row] + (mass_[row] / share) * x_[row];
-    factor.solve(b, x_);
-    restore_length();
-  }
-}
-
-std::vector<Vec2> CrossSolver::solve() {
-  x_.assign(rows(), {});
-  SparseFactor<Complex> factor(rows(), matrix_with(0));
-  if (factor.status() == SparseStatus::ok) {
-    factor.solve(rhs_, x_);
-    if (free_components_ > 0 && options_.curvature_weight == 0) iterate_inverse(factor);
-    restore_length();
-    if (options_.renormalisations > 0)
-      for (const double share : diffusion_shares) diffuse(factor, share);
-  }
+std::vector<Vec2> CrossSolver::solve() const {
+  const CrossSteps steps{options_.curvature_weight == 0, options_.renormalisations};
+  const std::vector<Complex> x = steps.smoothest ? solve_large_cross_system(system_, steps)
+                                                 : solve_cross_system(system_, steps);
   std::vector<Vec2> z(mesh_.triangles.size());
   for (Index t = 0; t < mesh_.triangle_count(); ++t) {
-    const Complex value = row_of_[t] == none ? fixed_[t] : x_[row_of_[t]];
-    z[t] = norm2_of(value) > 0 ? Vec2{value.real(), value.imag()} : Vec2{1, 0};
+    const Complex value = row_of_[t] == none ? fixed_[t] : x[row_of_[t]];
+    z[t] = squared_norm(value) > 0 ? Vec2{value.real(), value.imag()} : Vec2{1, 0};
   }
   return z;
 }

@@ -1,4 +1,5 @@
 // The cross field of a surface: exact where it is known, and its singularities always add up.
+#include <algorithm>
 #include <cmath>
 
 #include "catch.h"
@@ -66,6 +67,21 @@ TEST_CASE("without a constraint the field is smooth and its indices sum to 4 chi
   CHECK(round.singularities.size() == 8);
   CHECK(total_index(round) == 8);
   CHECK(total_index(solve_surface_cross(torus(40, 16, 3, 1), {})) == 0);
+}
+
+TEST_CASE("crosses of surfaces too large to be solved for at once are as smooth") {
+  const SurfaceMesh ball = sphere(76);  // 69,312 triangles
+  const SurfaceCrossField round = solve_surface_cross(ball, {});
+  CHECK(round.singularities.size() == 8);
+  CHECK(total_index(round) == 8);
+  const SurfaceMesh pipe = cylinder(300, 120, 1, 4);
+  const SurfaceCrossField along = solve_surface_cross(pipe, sharp_edges(pipe));
+  double worst = 0;
+  for (Index t = 0; t < pipe.triangle_count(); ++t)
+    worst = std::max(worst, misfit(pipe, along, t, {0, 0, 1}));
+  CHECK(worst < 0.05);
+  CHECK(along.singularities.empty());
+  CHECK(total_index(solve_surface_cross(torus(400, 90, 3, 1), {})) == 0);
 }
 
 TEST_CASE("several bodies, some free and some not, are each solved for") {
