@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "field/field.h"
 #include "numerics/elementary.h"
 
 namespace lpq {
@@ -176,13 +177,32 @@ Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
   return {sum, EvalStatus::ok};
 }
 
-template <class Quad, class Triangle>
-Evaluation sum_faces(std::span<const Face> faces, std::span<const double> inverse_square, Quad quad,
-                     Triangle triangle) {
+// A face laid out as its stretch makes it; the stretch is symmetric, so gradients come back by it.
+template <class Kernel>
+Evaluation of_stretched(const Face& face, std::span<const Vec2> points, Vec2 mu,
+                        std::span<Vec2> gradient, Kernel&& kernel) {
+  const int n = corner_count(face);
+  std::array<Vec2, 4> laid_out, slope{};
+  for (int k = 0; k < n; ++k) laid_out[k] = stretched(points[face[k]], mu);
+  const Evaluation one = kernel(Face{0, 1, 2, n == 4 ? 3 : none}, laid_out, slope);
+  for (int k = 0; k < n; ++k) gradient[face[k]] += stretched(slope[k], mu);
+  return one;
+}
+
+// `kernel(f, face, points, gradient)`: of the one face.
+template <class Kernel>
+Evaluation sum_faces(std::span<const Face> faces, std::span<const Vec2> points,
+                     std::span<const double> inverse_square, std::span<const Vec2> stretch,
+                     std::span<Vec2> gradient, Kernel kernel) {
   double sum = 0;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (inverse_square[f] == 0) continue;
-    const Evaluation one = corner_count(faces[f]) == 4 ? quad(f) : triangle(f);
+    const auto of_face = [&](const Face& face, std::span<const Vec2> p, std::span<Vec2> g) {
+      return kernel(f, face, p, g);
+    };
+    const Evaluation one = stretch.empty()
+                               ? of_face(faces[f], points, gradient)
+                               : of_stretched(faces[f], points, stretch[f], gradient, of_face);
     if (one.status != EvalStatus::ok) return one;
     sum += one.value;
   }
@@ -202,14 +222,12 @@ double smallest_corner_of(const Face& face, std::span<const Vec2> points) {
 Evaluation mean_ratio_energy(std::span<const Face> faces, std::span<const Vec2> points,
                              std::span<const double> inverse_square,
                              const MeanRatioOptions& options, std::span<Vec2> gradient) {
-  return sum_faces(
-      faces, inverse_square,
-      [&](std::size_t f) {
-        return mean_ratio_face<4>(faces[f], points, inverse_square[f], options, gradient);
-      },
-      [&](std::size_t f) {
-        return mean_ratio_face<3>(faces[f], points, inverse_square[f], options, gradient);
-      });
+  return sum_faces(faces, points, inverse_square, options.stretch, gradient,
+                   [&](std::size_t f, const Face& face, auto p, auto g) {
+                     return corner_count(face) == 4
+                                ? mean_ratio_face<4>(face, p, inverse_square[f], options, g)
+                                : mean_ratio_face<3>(face, p, inverse_square[f], options, g);
+                   });
 }
 
 Evaluation eta_energy(std::span<const Face> faces, std::span<const Vec2> points,
@@ -218,15 +236,13 @@ Evaluation eta_energy(std::span<const Face> faces, std::span<const Vec2> points,
   const auto share = [&](std::size_t f) {
     return options.size_share.empty() ? 1.0 : options.size_share[f];
   };
-  return sum_faces(
-      faces, inverse_square,
-      [&](std::size_t f) {
-        const Vec2 z = pull.empty() ? Vec2{0, 0} : pull[f];
-        return eta_face<4>(faces[f], points, inverse_square[f], share(f), z, options, gradient);
-      },
-      [&](std::size_t f) {
-        return eta_face<3>(faces[f], points, inverse_square[f], share(f), {}, options, gradient);
-      });
+  return sum_faces(faces, points, inverse_square, options.stretch, gradient,
+                   [&](std::size_t f, const Face& face, auto p, auto g) {
+                     if (corner_count(face) == 3)
+                       return eta_face<3>(face, p, inverse_square[f], share(f), {}, options, g);
+                     const Vec2 z = pull.empty() ? Vec2{0, 0} : pull[f];
+                     return eta_face<4>(face, p, inverse_square[f], share(f), z, options, g);
+                   });
 }
 
 double share_at_slope(double slope) {

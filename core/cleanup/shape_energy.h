@@ -21,8 +21,9 @@
 namespace lpq {
 
 struct MeanRatioOptions {
-  double epsilon = 0;        // 0: faces must be convex, otherwise outside_domain
-  double size_weight = 0.1;  // w
+  double epsilon = 0;             // 0: faces must be convex, otherwise outside_domain
+  double size_weight = 0.1;       // w
+  std::span<const Vec2> stretch;  // #F  mu of the plane there (field/field.h); empty: 0
 };
 
 /// Rounding that lets a few iterations go far (1 - eta is a largest absolute value: without
@@ -37,6 +38,7 @@ struct EtaEnergyOptions {
   double floor_weight = 100;      // g
   double pull_weight = 2;         // of the direction term, per edge and side
   std::span<const double> size_share;  // #F  factor of a face's size terms; empty: 1
+  std::span<const Vec2> stretch;       // #F  mu of the plane there (field/field.h); empty: 0
 };
 
 /// The share of the size terms where the size field has this slope: lines of the mesh that keep to

@@ -133,6 +133,16 @@ std::vector<double> pin_worst(const QuadMesh& mesh, double bound, std::vector<do
   return sizes;
 }
 
+std::vector<Vec2> at_centres(const QuadMesh& mesh, const Fields& fields,
+                             const std::vector<Vec2>& values) {
+  std::vector<Vec2> result;
+  if (values.empty()) return result;
+  Index hint = none;
+  for (const Face& face : mesh.faces)
+    result.push_back(fields.interpolate(values, centre_of(mesh.points, face), hint));
+  return result;
+}
+
 }  // namespace
 
 std::vector<double> target_inverse_squares(const QuadMesh& mesh, const Fields& fields) {
@@ -156,12 +166,11 @@ std::vector<double> size_shares(const QuadMesh& mesh, const Fields& fields) {
 }
 
 std::vector<Vec2> target_pulls(const QuadMesh& mesh, const Fields& fields) {
-  std::vector<Vec2> result;
-  if (fields.pull.empty()) return result;
-  Index hint = none;
-  for (const Face& face : mesh.faces)
-    result.push_back(fields.pull_at(centre_of(mesh.points, face), hint));
-  return result;
+  return at_centres(mesh, fields, fields.pull);
+}
+
+std::vector<Vec2> target_stretches(const QuadMesh& mesh, const Fields& fields) {
+  return at_centres(mesh, fields, fields.stretch);
 }
 
 void smooth_eta(QuadMesh& mesh, const Fields& fields, const SmoothOptions& options) {
@@ -176,7 +185,9 @@ void smooth_eta(QuadMesh& mesh, const Fields& fields, const SmoothOptions& optio
   if (options.lift) lift_worst(mesh, etas, targets, energy);
   const std::vector<Vec2> pulls = target_pulls(mesh, fields);
   const std::vector<double> shares = size_shares(mesh, fields);
+  const std::vector<Vec2> stretches = target_stretches(mesh, fields);
   energy.size_share = shares;
+  energy.stretch = stretches;
   int left = options.iterations;
   for (const double bound : pinned_below) {
     if (left <= 0) break;

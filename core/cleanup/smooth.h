@@ -32,6 +32,8 @@ void smooth_guarded(QuadMesh& mesh, int sweeps);
 std::vector<double> target_inverse_squares(const QuadMesh& mesh, const Fields& fields);
 /// The pull at the centre of every face; empty where fields have none.
 std::vector<Vec2> target_pulls(const QuadMesh& mesh, const Fields& fields);
+/// The stretch there; empty where fields have none.
+std::vector<Vec2> target_stretches(const QuadMesh& mesh, const Fields& fields);
 /// Shares of the size terms there (shape_energy.h).
 std::vector<double> size_shares(const QuadMesh& mesh, const Fields& fields);
 

@@ -27,6 +27,7 @@ Fields::Fields(const Fields& other)
       z(other.z),
       h(other.h),
       pull(other.pull),
+      stretch(other.stretch),
       singularities(other.singularities),
       locator(background),
       cells_(other.cells_) {}
@@ -36,6 +37,7 @@ Fields::Fields(Fields&& other) noexcept
       z(std::move(other.z)),
       h(std::move(other.h)),
       pull(std::move(other.pull)),
+      stretch(std::move(other.stretch)),
       singularities(std::move(other.singularities)),
       locator(background),
       cells_(std::move(other.cells_)) {}
@@ -45,6 +47,7 @@ Fields& Fields::operator=(Fields other) noexcept {
   z = std::move(other.z);
   h = std::move(other.h);
   pull = std::move(other.pull);
+  stretch = std::move(other.stretch);
   singularities = std::move(other.singularities);
   cells_ = std::move(other.cells_);
   locator = Locator(background);
@@ -149,13 +152,23 @@ double Fields::size(Vec2 p, Index& hint) const {
   return cell.h + dot(cell.h_gradient, p - cell.origin);
 }
 
-Vec2 Fields::pull_at(Vec2 p, Index& hint) const {
-  if (pull.empty()) return {0, 0};
+Vec2 Fields::interpolate(const std::vector<Vec2>& values, Vec2 p, Index& hint) const {
+  if (values.empty()) return {0, 0};
   const Cell& cell = cell_at(p, hint);
   const Vec2 d = p - cell.origin;
   const double l1 = dot(cell.lambda_1, d), l2 = dot(cell.lambda_2, d);
   const auto [a, b, c] = background.triangles[hint];
-  return (1 - l1 - l2) * pull[a] + l1 * pull[b] + l2 * pull[c];
+  return (1 - l1 - l2) * values[a] + l1 * values[b] + l2 * values[c];
+}
+
+StretchSample Fields::sample_stretch(Vec2 p, Index& hint) const {
+  StretchSample s{stretch_at(p, hint), {}, {}};
+  const auto [a, b, c] = background.triangles[hint];
+  const Vec2 mu_1 = stretch[b] - stretch[a], mu_2 = stretch[c] - stretch[a];
+  const Cell& cell = cells_[hint];
+  s.dx = cell.lambda_1.x * mu_1 + cell.lambda_2.x * mu_2;
+  s.dy = cell.lambda_1.y * mu_1 + cell.lambda_2.y * mu_2;
+  return s;
 }
 
 // Without the cancellation of 1 +- x.

@@ -18,16 +18,36 @@ struct FieldSample {
   Vec2 grad_log_h;  // d log h / d x
 };
 
+/// Where lengths in the plane are not those that count: angles and sizes are measured of
+/// stretched() differences, with mu linear in each triangle.
+struct StretchSample {
+  Vec2 mu, dx, dy;  // and its derivatives
+};
+
 struct Singularity {
   Vec2 position;
   int index = 0;  // in quarters: +1 = valence-3 vertex, -1 = valence-5 vertex
 };
+
+/// A vector as the symmetric matrix of determinant 1 that |mu| < 1 stands for makes it:
+/// (v + mu conj v) / sqrt(1 - |mu|^2), longer by sqrt((1 + |mu|) / (1 - |mu|)) along one direction
+/// and shorter by as much across. -mu undoes it.
+inline Vec2 stretched(Vec2 v, Vec2 mu) {
+  return (1 / std::sqrt(1 - squared_length(mu))) * (v + complex_product(mu, conjugate(v)));
+}
+
+/// Limit of |mu|. Up to sigma_1 / sigma_2 = 1 + sqrt 2 the Delaunay triangles of a square lattice,
+/// stretched whichever way, are halves of its cells: |mu| = sqrt 2 - 1.
+inline constexpr double most_stretch = 0.41;
 
 struct Fields {
   TriMesh background;
   std::vector<Vec2> z;     // #V background  unit e^{4 i theta} (zero only where undefined)
   std::vector<double> h;   // #V background  target size, > 0
   std::vector<Vec2> pull;  // #V background  z where quads are to follow it, else 0; or empty
+  /// #V background, or empty: Beltrami coefficient mu of the map from this plane to where the mesh
+  /// is for, at most most_stretch; crosses and sizes are those after stretched(., mu).
+  std::vector<Vec2> stretch;
   std::vector<Singularity> singularities;
   Locator locator;  // over `background`
 
@@ -44,8 +64,22 @@ struct Fields {
   FieldSample sample(Vec2 p, Index& hint) const;
   /// Size only (cheaper).
   double size(Vec2 p, Index& hint) const;
+  /// Of values at the vertices of the background; 0 if they are empty.
+  Vec2 interpolate(const std::vector<Vec2>& values, Vec2 p, Index& hint) const;
   /// The interpolated pull: direction z, length 0 to 1.
-  Vec2 pull_at(Vec2 p, Index& hint) const;
+  Vec2 pull_at(Vec2 p, Index& hint) const { return interpolate(pull, p, hint); }
+  /// The interpolated stretch; 0 where fields have none.
+  Vec2 stretch_at(Vec2 p, Index& hint) const { return interpolate(stretch, p, hint); }
+  /// A vector at p stretched, and one of which it is the stretched one.
+  Vec2 stretched_at(Vec2 p, Vec2 v, Index& hint) const {
+    return stretch.empty() ? v : stretched(v, stretch_at(p, hint));
+  }
+  Vec2 unstretched_at(Vec2 p, Vec2 v, Index& hint) const {
+    return stretch.empty() ? v : stretched(v, -stretch_at(p, hint));
+  }
+  /// What a vector of length 1 after the stretch may be in the plane.
+  double longest_step() const { return stretch.empty() ? 1 : 1.55; }
+  StretchSample sample_stretch(Vec2 p, Index& hint) const;
   /// |grad h|, constant in each triangle of the background.
   double slope(Vec2 p, Index& hint) const;
   /// Triangle that contains p, reached from triangle `from` without crossing a wall; none when a

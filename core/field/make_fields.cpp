@@ -230,6 +230,9 @@ Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& opt
   if (!field) return field.error();
   fields.z = std::move(field->z);
   fields.pull = std::move(field->pull);
+  if (options.stretch_function)
+    for (const Vec2 p : fields.background.points)
+      fields.stretch.push_back(options.stretch_function(p));
   fields.singularities = find_singularities(fields.background, fields.z);
   fields.attach();
   return fields;

@@ -17,6 +17,7 @@ struct FieldOptions {
   double function_detail = 0;  // length below which size_function hardly varies; 0 = by default
   std::vector<DomainInput::Guide> guides;      // the caller's strokes, unit frame
   std::function<double(Vec2)> angle_function;  // the caller's theta(x); replaces the Laplace solve
+  std::function<Vec2(Vec2)> stretch_function;  // of Fields::stretch
   double growth = 0.3;                         // largest slope of h; > 0
   double coarseness = 3;  // background spacing in units of h off the walls; more beyond 20 h
 };

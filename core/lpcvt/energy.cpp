@@ -24,7 +24,11 @@ class Assembly {
  public:
   Assembly(const TriMesh& mesh, const EnergyOptions& options, EnergyWorkspace& workspace,
            std::span<Vec2> gradient)
-      : mesh_(mesh), options_(options), work_(workspace), gradient_(gradient) {}
+      : mesh_(mesh),
+        options_(options),
+        work_(workspace),
+        gradient_(gradient),
+        stretched_(!workspace.stretch.empty()) {}
 
   double run() {
     clear();
@@ -33,6 +37,7 @@ class Assembly {
       move_circumcentres();
       move_rim();
       if (options_.metric_gradient) move_metric();
+      if (options_.metric_gradient && stretched_) move_stretch();
       std::fill_n(gradient_.begin(), std::min<std::size_t>(mesh_.fixed, gradient_.size()), Vec2{});
     }
     return finish_cells();
@@ -40,6 +45,7 @@ class Assembly {
 
  private:
   void clear();
+  void stretch_frames();
   void integrate_cells();
   void add(FanTriangle fan) {
     fans_[count_++] = fan;
@@ -51,12 +57,14 @@ class Assembly {
   void move_circumcentres();
   void move_rim();
   void move_metric();
+  void move_stretch();
   double finish_cells();
 
   const TriMesh& mesh_;
   const EnergyOptions& options_;
   EnergyWorkspace& work_;
   std::span<Vec2> gradient_;
+  const bool stretched_;
   PieceBlock block_;
   FanTriangle fans_[PieceBlock::capacity];
   int count_ = 0;
@@ -74,14 +82,26 @@ void Assembly::clear() {
   for (std::size_t i = 0; i < sites; ++i) {
     const FieldSample& metric = work_.metric[i];
     const double inverse_h = 1 / metric.h;
-    work_.frames[i] = {mesh_.points[i].x, mesh_.points[i].y, metric.axis.x * inverse_h,
-                       metric.axis.y * inverse_h};
+    const double c = metric.axis.x * inverse_h, s = metric.axis.y * inverse_h;
+    work_.frames[i] = {mesh_.points[i].x, mesh_.points[i].y, c, s, -s, c};
   }
+  if (stretched_) stretch_frames();
   const int degree = options_.gauss_degree > 0 ? options_.gauss_degree : gauss_degree(options_.p);
   const bool gauss = options_.gauss || !has_closed_form(options_.p);
   if (gauss && work_.rule_degree != degree) {
     work_.rule = triangle_rule(degree);
     work_.rule_degree = degree;
+  }
+}
+
+// The rows of M S are those of M stretched, as S is symmetric.
+void Assembly::stretch_frames() {
+  work_.shear.assign(work_.frames.size(), Vec2{});
+  for (std::size_t i = 0; i < work_.frames.size(); ++i) {
+    EnergyWorkspace::SiteFrame& f = work_.frames[i];
+    const Vec2 x = stretched({f.xx, f.xy}, work_.stretch[i].mu);
+    const Vec2 y = stretched({f.yx, f.yy}, work_.stretch[i].mu);
+    f = {f.x, f.y, x.x, x.y, y.x, y.y};
   }
 }
 
@@ -114,10 +134,10 @@ void Assembly::gather() {
     const EnergyWorkspace::SiteFrame f = work_.frames[fan.site];
     const Vec2 c1 = work_.dual.vertices[fan.c1], c2 = work_.dual.vertices[fan.c2];
     const double ax = c1.x - f.x, ay = c1.y - f.y, bx = c2.x - f.x, by = c2.y - f.y;
-    block_.ux[i] = f.c * ax + f.s * ay;
-    block_.uy[i] = f.c * ay - f.s * ax;
-    block_.vx[i] = f.c * bx + f.s * by;
-    block_.vy[i] = f.c * by - f.s * bx;
+    block_.ux[i] = f.xx * ax + f.xy * ay;
+    block_.uy[i] = f.yx * ax + f.yy * ay;
+    block_.vx[i] = f.xx * bx + f.xy * by;
+    block_.vy[i] = f.yx * bx + f.yy * by;
   }
 }
 
@@ -130,14 +150,17 @@ void Assembly::scatter() {
     const EnergyWorkspace::SiteFrame f = work_.frames[site];
     const double dux = block_.dux[i], duy = block_.duy[i];
     const double dvx = block_.dvx[i], dvy = block_.dvy[i];
-    const Vec2 d1{f.c * dux - f.s * duy, f.s * dux + f.c * duy};
-    const Vec2 d2{f.c * dvx - f.s * dvy, f.s * dvx + f.c * dvy};
+    const Vec2 d1{f.xx * dux + f.yx * duy, f.xy * dux + f.yy * duy};
+    const Vec2 d2{f.xx * dvx + f.yx * dvy, f.xy * dvx + f.yy * dvy};
     work_.vertex_gradient[fans_[i].c1] += d1;
     work_.vertex_gradient[fans_[i].c2] += d2;
     gradient_[site] -= d1 + d2;
     // Turning the cross by d theta turns u by -d theta: du = (u_y, -u_x) d theta.
     work_.torque[site] +=
         (dux * block_.uy[i] - duy * block_.ux[i]) + (dvx * block_.vy[i] - dvy * block_.vx[i]);
+    if (stretched_)
+      work_.shear[site] += complex_product({dux, duy}, {block_.ux[i], block_.uy[i]}) +
+                           complex_product({dvx, dvy}, {block_.vx[i], block_.vy[i]});
   }
 }
 
@@ -180,6 +203,19 @@ void Assembly::move_metric() {
   }
 }
 
+// Of u = M S w, a change of mu by d makes du = (e^{-2 i theta} d conj u - i Im(d conj mu) u) / (1 -
+// |mu|^2): a shear in the cross's frame, and a turn like that of theta.
+void Assembly::move_stretch() {
+  for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
+    const auto& [mu, dx, dy] = work_.stretch[i];
+    const Vec2 axis = work_.metric[i].axis;
+    const Vec2 shear = complex_product(work_.shear[i], complex_product(axis, axis));
+    const Vec2 by_mu =
+        (1 / (1 - squared_length(mu))) * (shear + work_.torque[i] * perpendicular(mu));
+    gradient_[i] += Vec2{dot(by_mu, dx), dot(by_mu, dy)};
+  }
+}
+
 double Assembly::finish_cells() {
   double total = 0;
   for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
@@ -198,6 +234,9 @@ void sample_metric(const TriMesh& mesh, const Fields& fields, EnergyWorkspace& w
   workspace.hints.resize(sites, none);
   for (std::size_t i = 0; i < sites; ++i)
     workspace.metric[i] = fields.sample(mesh.points[i], workspace.hints[i]);
+  workspace.stretch.resize(fields.stretch.empty() ? 0 : sites);
+  for (std::size_t i = 0; i < workspace.stretch.size(); ++i)
+    workspace.stretch[i] = fields.sample_stretch(mesh.points[i], workspace.hints[i]);
 }
 
 double integrate_energy(const TriMesh& mesh, const EnergyOptions& options,

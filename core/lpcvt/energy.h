@@ -1,6 +1,8 @@
 // The L_p energy of the clipped Voronoi cells and its exact gradient (paper section 3.2,
-// [Levy, Liu 2010]): F = sum_i int_{R_i} rho ||M(theta) (y - x_i)||_p^p dy with rho = h^-(p+2).
-// F has no unit: each cell is measured in its own h.
+// [Levy, Liu 2010]): F = sum_i int_{R_i} rho ||M (y - x_i)||_p^p dy with rho = h^-(p+2) and
+// M = M(theta), or M(theta) S(mu) in a plane where lengths are not those that count: S v = (v + mu
+// conj v) / sqrt(1 - |mu|^2), of determinant 1 (field.h). F has no unit: each cell is measured in
+// its own h.
 #pragma once
 
 #include <span>
@@ -22,19 +24,21 @@ struct EnergyOptions {
 
 /// Reused between evaluations: after the first one nothing is allocated.
 struct EnergyWorkspace {
-  /// A site with its frame: M(theta) / h = ((c, s), (-s, c)).
+  /// A site with its frame: M / h = ((xx, xy), (yx, yy)).
   struct SiteFrame {
-    double x, y, c, s;
+    double x, y, xx, xy, yx, yy;
   };
 
   ClippedDual dual;
-  std::vector<FieldSample> metric;  // #V  sampled at the sites
-  std::vector<Index> hints;         // #V  background triangle of each site
-  std::vector<double> cell_energy;  // #V  energy of each cell (Fig. 22: divide by the area)
-  std::vector<double> cell_area;    // #V
+  std::vector<FieldSample> metric;     // #V  sampled at the sites
+  std::vector<StretchSample> stretch;  // #V  or empty: mu there
+  std::vector<Index> hints;            // #V  background triangle of each site
+  std::vector<double> cell_energy;     // #V  energy of each cell (Fig. 22: divide by the area)
+  std::vector<double> cell_area;       // #V
 
   std::vector<SiteFrame> frames;      // #V
   std::vector<double> torque;         // #V  derivative of the cell's energy by theta
+  std::vector<Vec2> shear;            // #V with a stretch: sum of dI/du u, complex
   std::vector<Vec2> vertex_gradient;  // #Voronoi vertices  dF / dC
   std::vector<TriangleNode> rule;     // Gauss rule of degree rule_degree
   int rule_degree = -1;

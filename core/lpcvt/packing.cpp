@@ -53,10 +53,12 @@ Vec2 nearest_arm(Vec2 axis, Vec2 d) {
   return across >= 0 ? perpendicular(axis) : -perpendicular(axis);
 }
 
-bool is_free(const Packing& packing, Vec2 p, const FieldSample& f, double separation) {
-  const double least = separation * f.h;
-  return !packing.grid.any_near(p, f.h, 1.4143 * least, [&](Index, Vec2 q) {
-    return std::abs(dot(f.axis, q - p)) < least && std::abs(cross(f.axis, q - p)) < least;
+bool is_free(const Packing& packing, Vec2 p, const Fields& fields, const FieldSample& f, Index t,
+             double separation) {
+  const double least = separation * f.h, reach = 1.4143 * fields.longest_step() * least;
+  return !packing.grid.any_near(p, f.h, reach, [&](Index, Vec2 q) {
+    const Vec2 way = fields.stretched_at(p, q - p, t);
+    return std::abs(dot(f.axis, way)) < least && std::abs(cross(f.axis, way)) < least;
   });
 }
 
@@ -118,17 +120,18 @@ void pack_inward(const BoundaryMesh& boundary, const Fields& fields, const WallD
     const std::array<Vec2, 4> arms{fx.axis, perpendicular(fx.axis), -fx.axis,
                                    -perpendicular(fx.axis)};
     for (const Vec2 arm : arms) {
-      const Vec2 middle = x + 0.5 * fx.h * arm;
-      const Index start = node ? triangle_towards(mesh, at_node.row(i), arm) : at;
+      const Vec2 way = fields.unstretched_at(x, arm, at);
+      const Vec2 middle = x + 0.5 * fx.h * way;
+      const Index start = node ? triangle_towards(mesh, at_node.row(i), way) : at;
       if (start == none) continue;
       Index t = fields.walk(middle, start);
       if (t == none) continue;
       const FieldSample fm = fields.sample(middle, t);
-      const Vec2 y = x + fm.h * nearest_arm(fm.axis, arm);
+      const Vec2 y = x + fm.h * fields.unstretched_at(middle, nearest_arm(fm.axis, arm), t);
       t = fields.walk(y, t);
       if (t == none) continue;
       const FieldSample fy = fields.sample(y, t);
-      if (!is_free(packing, y, fy, rule.separation)) continue;
+      if (!is_free(packing, y, fields, fy, t, rule.separation)) continue;
       if (walls.nearer_than(y, fy.h, rule.clearance * fy.h)) continue;
       if (packing.interior_count() >= rule.max_points) return;
       packing.add(y, fy.h, t);

@@ -67,7 +67,10 @@ struct Step {
 class PhaseField {
  public:
   PhaseField(const BoundaryMesh& boundary, const Fields& fields)
-      : mesh_(fields.background), h_(fields.h), fixed_(static_cast<Index>(boundary.points.size())) {
+      : mesh_(fields.background),
+        h_(fields.h),
+        stretch_(fields.stretch),
+        fixed_(static_cast<Index>(boundary.points.size())) {
     axis_.reserve(fields.z.size());
     for (const Vec2 z : fields.z) axis_.push_back(axis_of(z));
   }
@@ -80,7 +83,8 @@ class PhaseField {
     Step s;
     s.k = quarter_turns(axis_[j], axis_[i]);
     const Vec2 sum = axis_[i] + arm(axis_[j], s.k);
-    const Vec2 e = mesh_.points[j] - mesh_.points[i];
+    Vec2 e = mesh_.points[j] - mesh_.points[i];
+    if (!stretch_.empty()) e = stretched(e, midpoint(stretch_[i], stretch_[j]));
     // One root of the product, not a product of roots: odd powers of two stay exact.
     const double scale = 1 / (length(sum) * std::sqrt(h_[i] * h_[j]));
     s.delta = {scale * dot(sum, e), scale * cross(sum, e)};
@@ -93,6 +97,7 @@ class PhaseField {
 
   const TriMesh& mesh_;
   const std::vector<double>& h_;
+  const std::vector<Vec2>& stretch_;
   Index fixed_;
   std::vector<Vec2> axis_;   // #V  combed
   std::vector<Vec2> phase_;  // #V  (u, v) modulo 1

@@ -14,12 +14,12 @@ struct PhasePoint {
   Index triangle = none;  // background triangle that holds it
 };
 
-/// At each vertex U = e^{2 pi i u}, V = e^{2 pi i v} with grad u, grad v ~ the cross / h, and
-/// U = V = 1 at every node of the boundary, so that level lines pass through the nodes. Returns the
-/// points where u and v are both integers, triangle by triangle; points on shared edges may come
-/// twice, and none come from triangles where the phases do not close. Empty when there are
-/// too many unknowns for a direct solve. Cost: one sparse Cholesky factorisation with four unknowns
-/// per free vertex.
+/// At each vertex U = e^{2 pi i u}, V = e^{2 pi i v} with grad u, grad v ~ the cross / h (after the
+/// stretch), and U = V = 1 at every node of the boundary, so that level lines pass through the
+/// nodes. Returns the points where u and v are both integers, triangle by triangle; points on
+/// shared edges may come twice, and none come from triangles where the phases do not close. Empty
+/// when there are too many unknowns for a direct solve. Cost: one sparse Cholesky factorisation
+/// with four unknowns per free vertex.
 std::vector<PhasePoint> phase_points(const BoundaryMesh& boundary, const Fields& fields);
 
 }  // namespace lpq

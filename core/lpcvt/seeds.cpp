@@ -71,9 +71,10 @@ class LatticeFront {
     const double h = fields_.size(p, t);
     const double least = lattice_separation * side_ * h;
     const auto too_near = [&](Index i, Vec2 q) {
-      return i >= packing_.fixed && squared_length(q - p) < least * least;
+      return i >= packing_.fixed &&
+             squared_length(fields_.stretched_at(p, q - p, t)) < least * least;
     };
-    if (packing_.grid.any_near(p, h, least, too_near)) return false;
+    if (packing_.grid.any_near(p, h, fields_.longest_step() * least, too_near)) return false;
     if (walls_.nearer_than(p, h, options_.clearance * h)) return false;
     packing_.add(p, h, t);
     direction_.push_back(direction);
@@ -88,10 +89,11 @@ class LatticeFront {
       const double h = fields_.size(x, at);
       Vec2 direction = direction_[i];
       for (int k = 0; k < 6; ++k) {
-        Index t = fields_.walk(x + 0.5 * side_ * h * direction, at);
+        const Vec2 way = fields_.unstretched_at(x, direction, at);
+        Index t = fields_.walk(x + 0.5 * side_ * h * way, at);
         if (t != none) {
-          const double middle_h = fields_.size(x + 0.5 * side_ * h * direction, t);
-          const Vec2 y = x + side_ * middle_h * direction;
+          const double middle_h = fields_.size(x + 0.5 * side_ * h * way, t);
+          const Vec2 y = x + side_ * middle_h * way;
           t = fields_.walk(y, t);
           if (t != none) place(y, direction, t);
         }

@@ -35,12 +35,14 @@ void Aims::append(const Aims& others) {
   target.insert(target.end(), others.target.begin(), others.target.end());
   share.insert(share.end(), others.share.begin(), others.share.end());
   pull.insert(pull.end(), others.pull.begin(), others.pull.end());
+  stretch.insert(stretch.end(), others.stretch.begin(), others.stretch.end());
 }
 
 void Aims::clear() {
   target.clear();
   share.clear();
   pull.clear();
+  stretch.clear();
 }
 
 Surroundings::Surroundings(const QuadTopology& mesh, const Fields& fields, const PatchGrowth& patch,
@@ -92,6 +94,7 @@ void Surroundings::aim(Vec2 centre, Aims& aims) const {
   aims.target.push_back(1 / (h * h));
   aims.share.push_back(share_at_slope(fields_.slope(centre, hint_)));
   if (!fields_.pull.empty()) aims.pull.push_back(fields_.pull_at(centre, hint_));
+  if (!fields_.stretch.empty()) aims.stretch.push_back(fields_.stretch_at(centre, hint_));
 }
 
 double Surroundings::energy_now(const EtaEnergyOptions& options) const {
@@ -110,6 +113,7 @@ double Surroundings::energy_now(const EtaEnergyOptions& options) const {
     aims.clear();
     aim(centre_of(mesh_.points(), face), aims);
     own.size_share = aims.share;
+    own.stretch = aims.stretch;
     const Evaluation one = eta_energy({&alone, 1}, points, aims.target, own, gradient, aims.pull);
     sum += one.status == EvalStatus::ok ? std::min(one.value, invalid_energy) : invalid_energy;
   }
@@ -151,6 +155,7 @@ bool Surroundings::relax(Trial& trial, const RelaxOptions& options) const {
     const double worst = smallest_corner(mesh.faces, mesh.points, trial.aims.target);
     if (worst > usable_corner) break;
     MeanRatioOptions ratio;
+    ratio.stretch = trial.aims.stretch;
     if (worst < 1e-3) ratio.epsilon = std::sqrt(0.01 + 0.5 * worst * worst);
     descend(mesh, sizes, options.untangling,
             [&](std::span<const Vec2> points, std::span<Vec2> gradient) {
@@ -160,6 +165,7 @@ bool Surroundings::relax(Trial& trial, const RelaxOptions& options) const {
   }
   EtaEnergyOptions shape = options.energy;
   shape.size_share = trial.aims.share;
+  shape.stretch = trial.aims.stretch;
   const auto energy = [&](std::span<const Vec2> points, std::span<Vec2> gradient) {
     return eta_energy(mesh.faces, points, trial.aims.target, shape, gradient, trial.aims.pull);
   };

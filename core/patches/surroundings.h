@@ -15,6 +15,7 @@ struct Aims {
   std::vector<double> target;  // 1/h^2
   std::vector<double> share;   // of the size terms
   std::vector<Vec2> pull;      // empty where fields have none
+  std::vector<Vec2> stretch;   // likewise
 
   void append(const Aims& others);
   void clear();

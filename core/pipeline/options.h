@@ -63,6 +63,7 @@ struct UserFields {
   double detail = 0;  // length below which `size` hardly varies; 0 = 1/48 of the domain's extent
   std::vector<Guide> guides;          // strokes whose direction the crosses follow nearby
   std::function<double(Vec2)> angle;  // direction of the crosses, radians; wins over all guides
+  std::function<Vec2(Vec2)> stretch;  // Fields::stretch: sizes and directions are those after it
   std::vector<Vec2> seeds;  // interior points to start L_p from; those not inside are left out
 };
 

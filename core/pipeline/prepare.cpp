@@ -132,7 +132,24 @@ FieldOptions field_options(const UnitFrame& frame, const UserFields& user, doubl
     fields.angle_function = [frame, angle_at = user.angle](Vec2 p) {
       return angle_at(frame.to_world(p));
     };
+  if (user.stretch)
+    fields.stretch_function = [frame, stretch_at = user.stretch](Vec2 p) {
+      return stretch_at(frame.to_world(p));
+    };
   return fields;
+}
+
+// Lengths of the edges are those after the stretch.
+void stretch_spacing(const UnitFrame& frame, const UserFields& user, BoundaryMesh& boundary) {
+  std::vector<double> sum(boundary.points.size(), 0.0);
+  std::vector<int> edges(boundary.points.size(), 0);
+  for (const Segment& s : boundary.edges) {
+    const Vec2 a = boundary.points[s.a], b = boundary.points[s.b];
+    const double l = length(stretched(b - a, user.stretch(frame.to_world(midpoint(a, b)))));
+    for (const Index v : {s.a, s.b}) sum[v] += l, ++edges[v];
+  }
+  for (std::size_t v = 0; v < sum.size(); ++v)
+    if (edges[v] > 0) boundary.spacing[v] = sum[v] / edges[v];
 }
 
 // A boundary with the sizes inside still to come.
@@ -146,6 +163,7 @@ Result<Graded> grade(const Domain& domain, const Options& options, const UserFie
   auto boundary =
       sample_boundary(domain, boundary_options(domain, options, user, size, growth, most_nodes));
   if (!boundary) return boundary.error();
+  if (user.stretch) stretch_spacing(domain.frame, user, *boundary);
   return Graded{std::move(*boundary), field_options(domain.frame, user, size, growth)};
 }
 

@@ -13,7 +13,8 @@ namespace lpq {
 double misalignment(const Vec2 (&quad)[4], Vec2 z);
 
 /// round(10^4 (1 - eta + w misalignment)) of the quad across half-edge e, more if eta = 0. The
-/// cross is sampled at the quad's centre; `fields` without a background counts no misalignment.
+/// cross is sampled at the quad's centre, eta and sides are those after the stretch there; `fields`
+/// without a background counts no misalignment.
 std::int64_t pair_cost(const TriMesh& mesh, Index e, const Fields& fields, double alignment_weight,
                        Index& hint);
 

@@ -2,6 +2,7 @@
 #include "catch.h"
 #include "cleanup/descent.h"
 #include "cleanup/shape_energy.h"
+#include "field/field.h"
 #include "mesh/quality.h"
 #include "support/cleanup_meshes.h"
 
@@ -62,6 +63,30 @@ TEST_CASE("gradients agree with central differences") {
   CHECK(gradient_error(mesh, [&](const QuadMesh& m, std::span<Vec2> gradient) {
           return eta_energy(m.faces, m.points, unit, {.pull_weight = 3}, gradient, pull);
         }) < 1e-6);
+}
+
+TEST_CASE("a stretched face has the energy of what it is made") {
+  const QuadMesh mesh = with_triangle();
+  const std::vector<double> unit(mesh.faces.size(), 1.3);
+  std::vector<Vec2> stretch;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    stretch.push_back({0.1 * static_cast<double>(f % 3), -0.15});
+  CHECK(gradient_error(mesh, [&](const QuadMesh& m, std::span<Vec2> gradient) {
+          return mean_ratio_energy(m.faces, m.points, unit, {.stretch = stretch}, gradient);
+        }) < 1e-7);
+  const EtaEnergyOptions options{.area_weight = 0.2, .stretch = stretch};
+  CHECK(gradient_error(mesh, [&](const QuadMesh& m, std::span<Vec2> gradient) {
+          return eta_energy(m.faces, m.points, unit, options, gradient);
+        }) < 1e-6);
+  double sum = 0;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    std::vector<Vec2> points, gradient(mesh.points.size());
+    for (const Vec2 p : mesh.points) points.push_back(stretched(p, stretch[f]));
+    sum += eta_energy({&mesh.faces[f], 1}, points, {&unit[f], 1}, {.area_weight = 0.2}, gradient)
+               .value;
+  }
+  std::vector<Vec2> gradient(mesh.points.size());
+  CHECK(eta_energy(mesh.faces, mesh.points, unit, options, gradient).value == Approx(sum));
 }
 
 TEST_CASE("a pull costs nothing along its cross, and most at 45 degrees from it") {

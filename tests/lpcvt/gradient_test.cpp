@@ -64,6 +64,13 @@ Case sharp_case() {
   return {"sharp corner", std::move(b), std::move(interior), 0.1};
 }
 
+Vec2 sheared(Vec2 p) { return {0.5 - 0.3 * p.x + 0.1 * p.y, -0.2 + 0.4 * p.y * p.x}; }
+
+Fields with_stretch(Fields fields, Vec2 (*mu)(Vec2)) {
+  for (const Vec2 p : fields.background.points) fields.stretch.push_back(mu(p));
+  return fields;
+}
+
 double error_of(const Case& c, const Fields& fields, const EnergyOptions& options) {
   const TriMesh start = triangulated(c.boundary, c.interior);
   EnergyWorkspace work;
@@ -121,11 +128,35 @@ TEST_CASE("the gradient equals central differences") {
     }
     CHECK(error_of(c, varying, {.p = 6, .gauss = true}) < 1e-6);
     CHECK(error_of(c, varying, {.p = 4.5}) < 1e-6);
+    const Fields stretched = with_stretch(varying, sheared);
+    for (const double p : {2.0, 5.0, 6.0}) CHECK(error_of(c, stretched, {.p = p}) < 1e-6);
     // Without the metric's terms it is the gradient of another function: the switch is real.
     CHECK(error_of(c, varying, {.p = 6, .metric_gradient = false}) > 1e-4);
     CHECK(error_of(c, constant, {.p = 6, .metric_gradient = false}) < 1e-6);
   }
   CHECK(clipped > 30);  // the cases do reach the walls
+}
+
+TEST_CASE("a stretched plane has the energy of the plane that it is made") {
+  Case c = square_case(40, 1, 2);
+  const Vec2 mu{0.25, -0.1};
+  const Fields stretch = with_stretch(constant_fields(c.boundary, 0.3, c.h), [](Vec2) {
+    return Vec2{0.25, -0.1};
+  });
+  // Away from the walls, with the cells as they are in the plane.
+  TriMesh mesh = triangulated(c.boundary, c.interior);
+  EnergyWorkspace work;
+  lp_energy(mesh, stretch, {}, work, {});
+  const std::vector<double> energy = work.cell_energy;
+  const std::vector<double> area = work.cell_area;
+  for (Vec2& p : mesh.points) p = stretched(p, mu);
+  for (Vec2& p : work.dual.vertices) p = stretched(p, mu);
+  work.stretch.clear();
+  integrate_energy(mesh, {}, work, {});
+  for (std::size_t v = 0; v < energy.size(); ++v) {
+    CHECK(work.cell_energy[v] == Approx(energy[v]));
+    CHECK(work.cell_area[v] == Approx(area[v]));
+  }
 }
 
 }  // namespace lpq

@@ -126,6 +126,26 @@ TEST_CASE("aligned seeds of a divided square are its grid") {
   }
 }
 
+TEST_CASE("seeds of a stretched plane are the grid of squares that it stands for") {
+  // x counts sqrt 2 times and y as much less: squares are twice as high as wide.
+  std::vector<Vec2> loop = divided(rectangle({0, 0}, {2, 1}), 0.1);
+  for (Vec2& p : loop) p.x *= 0.5;
+  BoundaryMesh boundary = boundary_of({loop});
+  boundary.spacing.assign(loop.size(), 0.1 * std::sqrt(0.5));
+  FieldOptions options;
+  options.stretch_function = [](Vec2) { return Vec2{1.0 / 3, 0}; };
+  const Fields fields = fields_of(boundary, options);
+  for (const auto& seeds : {aligned_seeds(boundary, fields), packed_seeds(boundary, fields, {})}) {
+    REQUIRE(seeds.size() == 19 * 9);
+    for (const Vec2 p : seeds) {
+      CHECK(std::abs(20 * p.x - std::floor(20 * p.x + 0.5)) < 1e-6);
+      CHECK(std::abs(10 * p.y - std::floor(10 * p.y + 0.5)) < 1e-6);
+    }
+  }
+  const double count = static_cast<double>(isotropic_seeds(boundary, fields).size());
+  CHECK(std::abs(count - 19 * 9) <= 2);
+}
+
 TEST_CASE("aligned seeds make right-angled triangles") {
   const auto boundary = plate_with_hole(0.025, 46);
   const Fields fields = fields_of(boundary);
