@@ -27,7 +27,8 @@ std::vector<DomainInput::SizeAt> detail_of(const Fields& fields) {
   return detail;
 }
 
-/// Sizes and directions of a chart as the caller's own; they refer to `fields`.
+/// Sizes and directions of a chart, and what they are measured after, as the caller's own; they
+/// refer to `fields`.
 UserFields fields_of_user(const Fields& fields) {
   UserFields user;
   Index hint = none;
@@ -38,6 +39,8 @@ UserFields fields_of_user(const Fields& fields) {
     const Vec2 axis = fields.sample(p, hint).axis;
     return arc_tangent(axis.y, axis.x);
   };
+  if (!fields.stretch.empty())
+    user.stretch = [&fields, hint](Vec2 p) mutable { return fields.stretch_at(p, hint); };
   return user;
 }
 
