@@ -20,6 +20,7 @@
 
 namespace lpq {
 
+class ChartRun;
 class Mesher;
 
 /// What the charts are meshed from; all of one surface.
@@ -74,13 +75,10 @@ class ChartsMesher {
   std::vector<Vec3> lifted(std::span<const Vec2> points) const;
 
  private:
-  struct Job;  // the current chart
   void pin_nodes();
   std::array<Index, 2> sides_of(Index curve, Index number) const;
-  std::unique_ptr<Job> open(Index chart) const;
-  std::optional<Result<OutputMesh>> step_in(Job& job) const;
-  void lift(const Job& job, const OutputMesh& plane);
-  void note(const Job& job, const Error& error);
+  void lift(const OutputMesh& plane);
+  void note(const Error& error);
 
   Charted charted_;
   Options options_;
@@ -88,7 +86,7 @@ class ChartsMesher {
   CurveNodes nodes_;
   MeshedCharts result_;
   Index chart_ = 0;
-  std::unique_ptr<Job> job_;
+  std::unique_ptr<ChartRun> run_;  // in the current chart
 };
 
 }  // namespace lpq

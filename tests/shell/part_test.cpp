@@ -1,10 +1,11 @@
-// A machined part of hundreds of faces: every one meshed, every edge kept.
+// Parts as CAD systems triangulate them. Of hundreds of faces every one is meshed, every edge kept.
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
 
 #include "catch.h"
+#include "pipeline/mesh_domain.h"
 #include "shell/check.h"
 #include "shell/mesh_surface.h"
 #include "shell/topology.h"
@@ -14,6 +15,53 @@
 
 using namespace lpq;
 using namespace lpq_test;
+
+namespace {
+
+/// A rectangle and a round hole, in as few triangles as there are.
+struct Plate {
+  Loop outline{{3, 2}, {-3, 2}, {-3, -2}, {3, -2}}, hole;
+  SurfaceSoup soup;
+
+  Plate() {
+    constexpr Index per_corner = 6, round = 4 * per_corner;
+    for (Index k = 0; k < round; ++k) {
+      const double angle = turn * k / round;
+      hole.push_back({0.5 + 0.8 * std::cos(angle), 0.3 + 0.8 * std::sin(angle)});
+    }
+    for (const Loop& loop : {outline, hole})
+      for (const Vec2 p : loop) soup.points.push_back({p.x, p.y, 0});
+    const auto at_hole = [](Index k) { return 4 + k % round; };
+    for (Index corner = 0; corner < 4; ++corner) {
+      const Index first = per_corner * corner, last = first + per_corner;
+      for (Index k = first; k < last; ++k)
+        soup.triangles.push_back({corner, at_hole(k + 1), at_hole(k)});
+      soup.triangles.push_back({corner, (corner + 1) % 4, at_hole(last)});
+    }
+    soup.group_names = {""};
+  }
+};
+
+}  // namespace
+
+// The surface's own field knows one direction for each of these triangles.
+TEST_CASE("a plate in few triangles is meshed as well as in the plane") {
+  constexpr double h = 0.08;
+  const Plate plate;
+  SurfaceOptions options;
+  options.size = h;
+  const auto outcome = mesh_surface(plate.soup, options);
+  REQUIRE(outcome.has_value());
+  DomainInput domain;
+  domain.regions.push_back({"", {plate.outline, plate.hole}, {}});
+  const auto in_plane = mesh_domain(domain, {.size = h});
+  REQUIRE(in_plane.has_value());
+  const auto lacking = [](const auto& quality) {
+    return (1 - quality.eta_mean) + (1 - quality.four_valent_percent / 100);
+  };
+  CAPTURE(lacking(outcome->report.quality), lacking(in_plane->report.quality));
+  CHECK(lacking(outcome->report.quality) < 1.05 * lacking(in_plane->report.quality));
+}
 
 TEST_CASE("a machined part of more than 250 faces gets quads only, all of its edges kept",
           "[slow]") {

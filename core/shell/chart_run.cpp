@@ -1,0 +1,147 @@
+// See chart_run.h.
+#include "shell/chart_run.h"
+
+#include <algorithm>
+
+#include "base/hash.h"
+#include "cleanup/ideal_valence.h"
+#include "mesh/quality.h"
+#include "numerics/elementary.h"
+#include "shell/chart_fields.h"
+#include "surface/charts/carry.h"
+
+namespace lpq {
+namespace {
+
+// Sizes on a surface vary over lengths of some quads.
+constexpr double fields_detail = 4;
+// Root mean square, of lengths in a plane that is as good as the surface.
+constexpr double most_unevenness = 0.02;
+
+/// How fine the fields of the plane must be, from place to place: a chart may have a size far below
+/// all others in one spot.
+std::vector<DomainInput::SizeAt> detail_of(const Fields& fields) {
+  std::vector<DomainInput::SizeAt> detail;
+  for (std::size_t v = 0; v < fields.h.size(); ++v)
+    detail.push_back({fields.background.points[v], fields_detail * fields.h[v]});
+  return detail;
+}
+
+/// Sizes of a chart as the caller's own; they refer to `fields`.
+UserFields sizes_of_user(const Fields& fields) {
+  UserFields user;
+  Index hint = none;
+  user.size = [&fields, hint](Vec2 p) mutable { return fields.size(p, hint); };
+  user.sizes = detail_of(fields);
+  user.detail = fields_detail * *std::max_element(fields.h.begin(), fields.h.end());
+  return user;
+}
+
+/// And directions, and what they are measured after.
+UserFields fields_of_user(const Fields& fields) {
+  UserFields user = sizes_of_user(fields);
+  Index hint = none;
+  user.angle = [&fields, hint](Vec2 p) mutable {
+    const Vec2 axis = fields.sample(p, hint).axis;
+    return arc_tangent(axis.y, axis.x);
+  };
+  if (!fields.stretch.empty())
+    user.stretch = [&fields, hint](Vec2 p) mutable { return fields.stretch_at(p, hint); };
+  return user;
+}
+
+/// Does the map keep lengths, but for a common factor? Then what is good in the plane is good in
+/// space.
+bool keeps_lengths(const SurfaceMesh& mesh, const Chart& chart) {
+  const std::vector<Vec2> mu = stretches_in_plane(mesh, chart);
+  double area = 0, stretch = 0, scale = 0, square = 0;
+  for (std::size_t t = 0; t < chart.triangles.size(); ++t) {
+    const auto [a, b, c] = chart.plane.triangles[t];
+    const std::vector<Vec2>& p = chart.plane.points;
+    const double weight = 0.5 * cross(p[b] - p[a], p[c] - p[a]);
+    area += weight;
+    stretch += weight * squared_length(mu[t]);
+    scale += weight * chart.scale[t];
+    square += weight * chart.scale[t] * chart.scale[t];
+  }
+  const double most = most_unevenness * most_unevenness;
+  return stretch < most * area && square * area - scale * scale < most * scale * scale;
+}
+
+bool is_whole_face(const Charted& charted, const Chart& chart) {
+  return std::all_of(chart.borders.values.begin(), chart.borders.values.end(),
+                     [&](Index e) { return charted.features.half_edge_is_feature(e); });
+}
+
+std::uint64_t fingerprint(Index chart, const DomainInput& input, const Fields& fields) {
+  Fnv1a hash;
+  const auto add = [&hash](const Loop& line) {
+    const std::size_t size = line.size();
+    hash.add(std::span<const std::size_t>(&size, 1));
+    hash.add(std::span<const Vec2>(line));
+  };
+  hash.add(std::span<const Index>(&chart, 1));
+  for (const Loop& loop : input.regions[0].loops) add(loop);
+  for (const auto& line : input.polylines) add(line.points);
+  for (const auto& point : input.points) hash.add(std::span<const Vec2>(&point.position, 1));
+  hash.add(std::span<const double>(fields.h));
+  return hash.value();
+}
+
+/// What is lacking in shape, and in regular vertices: one for each vertex counts as much as eta 0.
+double cost_of(const QuadMesh& quads) {
+  const QuadTopology topology{QuadMesh(quads)};
+  const IdealValence ideal(topology);
+  double weight = 0;
+  for (Index v = 0; v < topology.vertex_count(); ++v) weight += ideal.weight(topology, v);
+  return 1 - quad_quality(quads).eta_mean + weight / static_cast<double>(topology.vertex_count());
+}
+
+}  // namespace
+
+ChartRun::ChartRun(const Charted& charted, const CurveNodes& nodes, Index chart)
+    : chart_(charted.atlas.charts[chart]),
+      domain_(
+          chart_domain(charted.mesh, charted.lines, charted.curves, charted.atlas, chart_, nodes)),
+      fields_(chart_fields(charted.mesh, charted.cross, charted.size, chart_)),
+      key_(fingerprint(chart, domain_.input, fields_)),
+      isometric_(keeps_lengths(charted.mesh, chart_)),
+      whole_face_(is_whole_face(charted, chart_)) {}
+
+std::optional<Result<OutputMesh>> ChartRun::step(const Options& options) {
+  std::optional<Error> failure = advance(options);
+  if (!failure && mesher_->stage() != Stage::done) return std::nullopt;
+  if (!failure) keep_better();
+  if (begin_again(options)) return std::nullopt;
+  if (best_) return Result<OutputMesh>(std::move(*best_));
+  return Result<OutputMesh>(std::move(*failure));
+}
+
+std::optional<Error> ChartRun::advance(const Options& options) {
+  if (!mesher_) {
+    auto mesher =
+        Mesher::start(domain_.input, options,
+                      field_ == Field::own ? sizes_of_user(fields_) : fields_of_user(fields_));
+    if (!mesher) return mesher.error();
+    mesher_ = std::move(*mesher);
+  }
+  const auto stage = mesher_->step();
+  return stage ? std::nullopt : std::optional(stage.error());
+}
+
+void ChartRun::keep_better() {
+  const double cost = cost_of(mesher_->quads());
+  if (best_ && !(cost < cost_)) return;
+  best_ = mesher_->output();
+  cost_ = cost;
+}
+
+bool ChartRun::begin_again(const Options& options) {
+  const bool may = isometric_ && whole_face_ && options.method != Method::paper;
+  if (!may || field_ == Field::own) return false;
+  field_ = Field::own;
+  mesher_.reset();
+  return true;
+}
+
+}  // namespace lpq

@@ -1,0 +1,54 @@
+// The planar chain in one chart: with the surface's field, and where the map keeps lengths and no
+// cut borders the chart, once more with a field of its own. The better mesh is kept.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "base/result.h"
+#include "mesh/output_mesh.h"
+#include "pipeline/mesher.h"
+#include "shell/chart_domain.h"
+#include "shell/mesh_charts.h"
+
+namespace lpq {
+
+/// Stays where it is made: the mesher asks the fields while it runs.
+class ChartRun {
+ public:
+  ChartRun(const Charted& charted, const CurveNodes& nodes, Index chart);
+  ChartRun(const ChartRun&) = delete;
+  ChartRun& operator=(const ChartRun&) = delete;
+
+  /// A fingerprint of all that goes into the mesh.
+  std::uint64_t key() const { return key_; }
+  /// One step of the planar chain; the mesh, or why there is none, once that is known.
+  std::optional<Result<OutputMesh>> step(const Options& options);
+
+  const Chart& chart() const { return chart_; }
+  const ChartDomain& domain() const { return domain_; }
+  const Fields& fields() const { return fields_; }
+  /// nullptr before the first step of a run.
+  const Mesher* mesher() const { return mesher_ ? &*mesher_ : nullptr; }
+
+ private:
+  /// Large triangles know one direction each; the chain's own background follows the border.
+  enum class Field { surface, own };
+
+  std::optional<Error> advance(const Options& options);
+  void keep_better();
+  bool begin_again(const Options& options);
+
+  const Chart& chart_;
+  ChartDomain domain_;
+  Fields fields_;
+  std::uint64_t key_ = 0;
+  bool isometric_ = false;   // but for a factor
+  bool whole_face_ = false;  // no cut borders it
+  Field field_ = Field::surface;
+  std::optional<Mesher> mesher_;
+  std::optional<OutputMesh> best_;
+  double cost_ = 0;  // of the best
+};
+
+}  // namespace lpq
