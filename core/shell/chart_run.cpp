@@ -5,9 +5,12 @@
 
 #include "base/hash.h"
 #include "cleanup/ideal_valence.h"
+#include "cleanup/smooth.h"
 #include "mesh/quality.h"
 #include "numerics/elementary.h"
+#include "pipeline/shape_options.h"
 #include "shell/chart_fields.h"
+#include "shell/mapped_grid.h"
 #include "surface/charts/carry.h"
 
 namespace lpq {
@@ -97,6 +100,21 @@ double cost_of(const QuadMesh& quads) {
   return 1 - quad_quality(quads).eta_mean + weight / static_cast<double>(topology.vertex_count());
 }
 
+/// As the mesher numbers its own.
+OutputMesh output_of(const QuadMesh& quads, const Mesher& mesher) {
+  const BoundaryMesh& nodes = mesher.boundary();
+  OutputMesh output;
+  output.fixed = quads.fixed;
+  output.points.resize(quads.points.size());
+  const auto number = [&](Index v) { return v < quads.fixed ? nodes.output_rank[v] : v; };
+  for (Index v = 0; v < static_cast<Index>(quads.points.size()); ++v)
+    output.points[number(v)] =
+        v < quads.fixed ? nodes.world[v] : mesher.frame().to_world(quads.points[v]);
+  for (const Face& f : quads.faces)
+    output.faces.push_back({number(f[0]), number(f[1]), number(f[2]), number(f[3])});
+  return output;
+}
+
 }  // namespace
 
 ChartRun::ChartRun(const Charted& charted, const CurveNodes& nodes, Index chart)
@@ -111,7 +129,7 @@ ChartRun::ChartRun(const Charted& charted, const CurveNodes& nodes, Index chart)
 std::optional<Result<OutputMesh>> ChartRun::step(const Options& options) {
   std::optional<Error> failure = advance(options);
   if (!failure && mesher_->stage() != Stage::done) return std::nullopt;
-  if (!failure) keep_better();
+  if (!failure) keep_better(mesher_->quads());
   if (begin_again(options)) return std::nullopt;
   if (best_) return Result<OutputMesh>(std::move(*best_));
   return Result<OutputMesh>(std::move(*failure));
@@ -129,16 +147,25 @@ std::optional<Error> ChartRun::advance(const Options& options) {
   return stage ? std::nullopt : std::optional(stage.error());
 }
 
-void ChartRun::keep_better() {
-  const double cost = cost_of(mesher_->quads());
-  if (best_ && !(cost < cost_)) return;
-  best_ = mesher_->output();
+bool ChartRun::keep_better(const QuadMesh& quads) {
+  const double cost = cost_of(quads);
+  if (best_ && !(cost < cost_)) return false;
+  best_ = &quads == &mesher_->quads() ? mesher_->output() : output_of(quads, *mesher_);
   cost_ = cost;
+  return true;
+}
+
+/// Where the border allows a plain grid, and that is better.
+bool ChartRun::take_grid(const Options& options) {
+  auto grid = mapped_grid(mesher_->boundary());
+  if (!grid) return false;
+  smooth_eta(*grid, mesher_->fields(), shape_smoothing(options));
+  return keep_better(*grid);
 }
 
 bool ChartRun::begin_again(const Options& options) {
-  const bool may = isometric_ && whole_face_ && options.method != Method::paper;
-  if (!may || field_ == Field::own) return false;
+  if (!isometric_ || field_ == Field::own || options.method == Method::paper) return false;
+  if ((mesher_ && take_grid(options)) || !whole_face_) return false;
   field_ = Field::own;
   mesher_.reset();
   return true;

@@ -1,5 +1,6 @@
-// The planar chain in one chart: with the surface's field, and where the map keeps lengths and no
-// cut borders the chart, once more with a field of its own. The better mesh is kept.
+// The planar chain in one chart with the surface's field; against it, where the map keeps lengths,
+// a plain grid as far as the border allows, and the chain with a field of its own if no cut borders
+// the chart. The best mesh is kept.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +37,8 @@ class ChartRun {
   enum class Field { surface, own };
 
   std::optional<Error> advance(const Options& options);
-  void keep_better();
+  bool keep_better(const QuadMesh& quads);
+  bool take_grid(const Options& options);
   bool begin_again(const Options& options);
 
   const Chart& chart_;
