@@ -6,6 +6,7 @@
 #include "base/disjoint_sets.h"
 #include "surface/bends.h"
 #include "surface/corners.h"
+#include "surface/needles.h"
 #include "surface/sharp_edges.h"
 #include "surface/short_chains.h"
 
@@ -85,6 +86,7 @@ SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> s
   extend_sharp_chains(mesh, angles, options, features);
   unmark_smooth_edges(marks, features);
   drop_small_heaps(mesh, size, options, features);
+  unfold_needles(mesh, size, angles, options, features);
   number_faces(mesh, features);
   mark_corners(mesh, size, options.corner_angle, features);
   mark_bends(mesh, size, options.bend_angle, features);

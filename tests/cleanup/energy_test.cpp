@@ -110,7 +110,8 @@ TEST_CASE("a face's size terms count by its share") {
   const QuadMesh mesh = with_triangle();
   const std::vector<double> unit(mesh.faces.size(), 1.3);
   std::vector<double> share;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) share.push_back(static_cast<double>(f % 3) * 0.5);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    share.push_back(static_cast<double>(f % 3) * 0.5);
   const EtaEnergyOptions options{.size_weight = 0.3, .area_weight = 0.2, .size_share = share};
   const double error = gradient_error(mesh, [&](const QuadMesh& m, std::span<Vec2> gradient) {
     return eta_energy(m.faces, m.points, unit, options, gradient);

@@ -6,6 +6,7 @@
 #include "support/surface_checks.h"
 #include "support/surface_meshes.h"
 #include "support/surface_shapes.h"
+#include "surface/needles.h"
 #include "surface/normals.h"
 #include "surface/repair.h"
 #include "surface/sharp_edges.h"
@@ -197,6 +198,42 @@ TEST_CASE("needles lower than anything the mesh shows make no face of their own"
   for (const Vec3 n : triangle_normals(mesh, std::vector<double>(mesh.points.size(), 2)))
     CHECK(n.z > 0.9);
   CHECK(count_of(features_of(mesh, 0.01), FeatureKind::sharp) > 0);  // a fine mesh shows it
+}
+
+TEST_CASE("features that fold back along a needle become one line, on uneven surfaces") {
+  // The diagonal a-b of a square, and a vertex beside it.
+  SurfaceSoup soup = sheet_soup(4, [](int, int) { return 0; });
+  const auto apex = static_cast<Index>(soup.points.size());
+  soup.points.push_back({1.7, 1.72, 0});
+  const Index a = 6, b = 12;
+  std::erase_if(soup.triangles, [&](const Tri& t) { return t == Tri{a, b, b - 1}; });
+  for (const Tri& t : {Tri{a, apex, b - 1}, Tri{apex, b, b - 1}, Tri{a, b, apex}})
+    soup.triangles.push_back(t);
+  const SurfaceMesh mesh = mesh_of(soup);
+  const auto sharp_after = [&](double size, double beside, FeatureKind kind) {
+    SurfaceFeatures features;
+    features.edges = surface_edges(mesh.triangles, mesh.vertex_count());
+    features.kind.assign(features.edges.ends.size(), FeatureKind::smooth);
+    std::vector<double> angles(features.edges.ends.size(), beside);
+    const auto edge = [&](Index v, Index w) {
+      const std::array<Index, 2> ends{v, w};
+      return static_cast<Index>(
+          std::find(features.edges.ends.begin(), features.edges.ends.end(), ends) -
+          features.edges.ends.begin());
+    };
+    for (const Index fold : {edge(a, b), edge(a, apex)}) {
+      features.kind[fold] = kind;
+      angles[fold] = 50;
+    }
+    unfold_needles(mesh, std::vector<double>(mesh.points.size(), size), angles, {}, features);
+    return std::array<bool, 3>{features.is_feature(edge(a, b)), features.is_feature(edge(a, apex)),
+                               features.is_feature(edge(b, apex))};
+  };
+  const std::array<bool, 3> folded{true, true, false}, unfolded{false, true, true};
+  CHECK(sharp_after(1, 20, FeatureKind::sharp) == unfolded);
+  CHECK(sharp_after(0.1, 20, FeatureKind::sharp) == folded);  // a fine mesh shows it
+  CHECK(sharp_after(1, 2, FeatureKind::sharp) == folded);     // it stands out
+  CHECK(sharp_after(1, 20, FeatureKind::marked) == folded);
 }
 
 TEST_CASE("needles in a plane do not make it sharp") {
