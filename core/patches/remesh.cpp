@@ -89,8 +89,10 @@ void PatchRemesher::begin_pass() {
       queue_.push_back(v);
       queued_[v] = 1;
     }
-  if (options_.passes[pass_].temperature > 0)
-    all_trials_ = trials_ = static_cast<Index>(options_.passes[pass_].trials * queue_.size());
+  if (options_.passes[pass_].temperature > 0) {
+    const double trials = options_.passes[pass_].trials * static_cast<double>(queue_.size());
+    all_trials_ = trials_ = static_cast<Index>(trials);
+  }
 }
 
 void PatchRemesher::end_pass() {
