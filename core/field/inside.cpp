@@ -53,21 +53,30 @@ std::vector<Wall> upward_walls(const BoundaryMesh& boundary) {
   return walls;
 }
 
-template <class Key>
-std::vector<Index> sorted_by(std::size_t count, Key key) {
-  std::vector<Index> order(count);
+std::vector<Index> order_of(const std::vector<double>& heights) {
+  std::vector<Index> order(heights.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](Index i, Index j) { return key(i) < key(j); });
+  std::sort(order.begin(), order.end(), [&](Index i, Index j) {
+    return heights[i] != heights[j] ? heights[i] < heights[j] : i < j;
+  });
   return order;
+}
+
+template <class Things, class Height>
+std::vector<Index> sorted_by(const Things& things, Height height) {
+  std::vector<double> heights;
+  heights.reserve(things.size());
+  for (const auto& thing : things) heights.push_back(height(thing));
+  return order_of(heights);
 }
 
 }  // namespace
 
 std::vector<Index> regions_of(const BoundaryMesh& boundary, std::span<const Vec2> points) {
   const std::vector<Wall> walls = upward_walls(boundary);
-  const auto starts = sorted_by(walls.size(), [&](Index i) { return walls[i].low.y; });
-  const auto ends = sorted_by(walls.size(), [&](Index i) { return walls[i].high.y; });
-  const auto queries = sorted_by(points.size(), [&](Index i) { return points[i].y; });
+  const auto starts = sorted_by(walls, [](const Wall& wall) { return wall.low.y; });
+  const auto ends = sorted_by(walls, [](const Wall& wall) { return wall.high.y; });
+  const auto queries = sorted_by(points, [](Vec2 p) { return p.y; });
   std::vector<Index> region(points.size(), none);
   using Active = std::set<Index, LeftOf>;
   Active active(LeftOf{&walls});

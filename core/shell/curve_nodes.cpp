@@ -24,8 +24,9 @@ CurveNodes::CurveNodes(const SurfaceMesh& mesh, const SurfaceEdges& edges,
       if (place.vertex == none) entries.push_back({on_curve[place.edge], {node, place.t}});
     }
   }
-  std::stable_sort(entries.begin(), entries.end(),
-                   [](const Entry& a, const Entry& b) { return a.edge < b.edge; });
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return a.edge != b.edge ? a.edge < b.edge : a.at.share < b.at.share;
+  });
   std::size_t next = 0;
   for (Index edge = 0; edge < edges.count(); ++edge) {
     for (; next < entries.size() && entries[next].edge == edge; ++next)

@@ -33,8 +33,9 @@ Samples fan_samples(const FaceFans& fans) {
     result.weight[b] += 0.5 * quarter;
     sides.push_back({{std::min(a, b), std::max(a, b)}, 2 * quarter});
   }
-  std::stable_sort(sides.begin(), sides.end(),
-                   [](const Side& s, const Side& t) { return s.ends < t.ends; });
+  std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
+    return s.ends != t.ends ? s.ends < t.ends : s.weight < t.weight;
+  });
   for (std::size_t i = 0; i < sides.size(); ++i) {
     if (i > 0 && sides[i].ends == sides[i - 1].ends) {
       result.weight.back() += sides[i].weight;

@@ -37,8 +37,10 @@ AtlasLayout lay_out(std::span<const Chart> charts) {
   width = std::max(width, row_share * std::sqrt(area)) + 2 * gap;
   std::vector<Index> order(charts.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return boxes[a].size.y > boxes[b].size.y; });
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    const double height_a = boxes[a].size.y, height_b = boxes[b].size.y;
+    return height_a != height_b ? height_a > height_b : a < b;
+  });
   AtlasLayout layout{std::vector<Vec2>(charts.size()), width};
   Vec2 at{gap, gap};
   double row_height = 0;
