@@ -278,6 +278,10 @@ void Mesher::smooth() {
   stage_ = Stage::check;
 }
 
+OutputMesh Mesher::output_of(const QuadMesh& quads) const {
+  return to_output(quads, prepared_->domain, boundary());
+}
+
 Result<Stage> Mesher::check() {
   const StageTimer timer(report_.times, "check");
   const BoundaryMesh& nodes = boundary();

@@ -50,6 +50,8 @@ class Mesher {
   const TriMesh& triangles() const { return triangles_; }  // current triangulation
   const QuadMesh& quads() const { return quads_; }         // current quads, once matched
   const OutputMesh& output() const { return output_; }     // once done
+  /// Other quads on the same nodes, in the caller's units and numbering like output().
+  OutputMesh output_of(const QuadMesh& quads) const;
 
   /// From now on the stages leave their intermediate values in the trace. It never changes a
   /// result.

@@ -2,6 +2,7 @@
 #include "shell/chart_run.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/hash.h"
 #include "cleanup/ideal_valence.h"
@@ -100,21 +101,6 @@ double cost_of(const QuadMesh& quads) {
   return 1 - quad_quality(quads).eta_mean + weight / static_cast<double>(topology.vertex_count());
 }
 
-/// As the mesher numbers its own.
-OutputMesh output_of(const QuadMesh& quads, const Mesher& mesher) {
-  const BoundaryMesh& nodes = mesher.boundary();
-  OutputMesh output;
-  output.fixed = quads.fixed;
-  output.points.resize(quads.points.size());
-  const auto number = [&](Index v) { return v < quads.fixed ? nodes.output_rank[v] : v; };
-  for (Index v = 0; v < static_cast<Index>(quads.points.size()); ++v)
-    output.points[number(v)] =
-        v < quads.fixed ? nodes.world[v] : mesher.frame().to_world(quads.points[v]);
-  for (const Face& f : quads.faces)
-    output.faces.push_back({number(f[0]), number(f[1]), number(f[2]), number(f[3])});
-  return output;
-}
-
 }  // namespace
 
 ChartRun::ChartRun(const Charted& charted, const CurveNodes& nodes, Index chart)
@@ -129,7 +115,7 @@ ChartRun::ChartRun(const Charted& charted, const CurveNodes& nodes, Index chart)
 std::optional<Result<OutputMesh>> ChartRun::step(const Options& options) {
   std::optional<Error> failure = advance(options);
   if (!failure && mesher_->stage() != Stage::done) return std::nullopt;
-  if (!failure) keep_better(mesher_->quads());
+  if (!failure) keep_better(mesher_->quads(), mesher_->output());
   if (begin_again(options)) return std::nullopt;
   if (best_) return Result<OutputMesh>(std::move(*best_));
   return Result<OutputMesh>(std::move(*failure));
@@ -147,10 +133,10 @@ std::optional<Error> ChartRun::advance(const Options& options) {
   return stage ? std::nullopt : std::optional(stage.error());
 }
 
-bool ChartRun::keep_better(const QuadMesh& quads) {
+bool ChartRun::keep_better(const QuadMesh& quads, OutputMesh output) {
   const double cost = cost_of(quads);
   if (best_ && !(cost < cost_)) return false;
-  best_ = &quads == &mesher_->quads() ? mesher_->output() : output_of(quads, *mesher_);
+  best_ = std::move(output);
   cost_ = cost;
   return true;
 }
@@ -160,7 +146,7 @@ bool ChartRun::take_grid(const Options& options) {
   auto grid = mapped_grid(mesher_->boundary());
   if (!grid) return false;
   smooth_eta(*grid, mesher_->fields(), shape_smoothing(options));
-  return keep_better(*grid);
+  return keep_better(*grid, mesher_->output_of(*grid));
 }
 
 bool ChartRun::begin_again(const Options& options) {

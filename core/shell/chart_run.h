@@ -14,7 +14,8 @@
 
 namespace lpq {
 
-/// Stays where it is made: the mesher asks the fields while it runs.
+/// Stays where it is made: the mesher asks the fields while it runs. `charted` must outlive it; the
+/// chart's border gets `nodes`. Cost: that of the planar chain, twice where it begins again.
 class ChartRun {
  public:
   ChartRun(const Charted& charted, const CurveNodes& nodes, Index chart);
@@ -37,7 +38,7 @@ class ChartRun {
   enum class Field { surface, own };
 
   std::optional<Error> advance(const Options& options);
-  bool keep_better(const QuadMesh& quads);
+  bool keep_better(const QuadMesh& quads, OutputMesh output);
   bool take_grid(const Options& options);
   bool begin_again(const Options& options);
 

@@ -8,7 +8,7 @@
 
 namespace lpq {
 
-/// Transfinite interpolation [Gordon, Hall 1973] between the four sides of a disk, in the unit
+/// Transfinite interpolation [GH73] between the four sides of a disk, in the unit
 /// frame. None unless at exactly four nodes of the border one quad is wanted and everywhere else
 /// two, opposite sides have as many edges, nothing divides the inside, and every quad comes out
 /// convex. Cost O(#quads).

@@ -131,6 +131,7 @@ void CrossSolver::find_free_components() {
 
 std::vector<Vec2> CrossSolver::solve() const {
   const CrossSteps steps{options_.curvature_weight == 0, options_.renormalisations};
+  // Levels weigh everything as they weigh bends: the curvature's term is an area's, not a length's.
   const std::vector<Complex> x = steps.smoothest ? solve_large_cross_system(system_, steps)
                                                  : solve_cross_system(system_, steps);
   std::vector<Vec2> z(mesh_.triangles.size());

@@ -33,7 +33,8 @@ struct SurfaceCrossOptions {
 /// component has none, the smoothest field, by inverse iteration [Knoppel et al. 2013]. Then
 /// diffusion with renormalisation [Viertel, Osting 2019]. The indices of a closed surface sum to
 /// 4 chi, always. Cost: sparse Hermitian factorisations with up to 60,000 unknowns, and O(#T):
-/// larger surfaces are solved for by levels (cross_system.h).
+/// larger surfaces are solved for by levels (cross_system.h), but for those with a curvature term,
+/// whose factors have up to #T unknowns.
 SurfaceCrossField solve_surface_cross(const SurfaceMesh& mesh, std::span<const char> feature,
                                       const SurfaceCrossOptions& options = {});
 

@@ -31,8 +31,8 @@ struct CrossSteps {
 std::vector<std::complex<double>> solve_cross_system(const CrossSystem& system, CrossSteps steps);
 
 /// The same for systems of any size, in time proportional to it: of more than 60,000 rows,
-/// neighbours are paired until few enough are left [JTPS15], the pairs solved for,
-/// and their crosses turned into the frames of the rows and smoothed there.
+/// neighbours are paired until few enough are left [JTPS15], the pairs solved for, and their
+/// crosses turned into the frames of the rows and smoothed there. A holds nothing but bends.
 std::vector<std::complex<double>> solve_large_cross_system(const CrossSystem& system,
                                                            CrossSteps steps);
 
