@@ -160,9 +160,16 @@ TEST_CASE("a size given on the boundary is met there, edges of the boundary incl
 }
 
 TEST_CASE("sizes that differ by twenty keep shapes, and shapes keep sizes") {
-  const DomainInput plate = domain_of({{{0, 0}, {2, 0}, {2, 1}, {0, 1}}});
+  // In one spot, and all around a hole (tests/fixtures/domains/twenty_to_one.json).
+  const Loop hole = circle({1, 0.5}, 0.04, 50);
+  const bool at_hole = GENERATE(false, true);
+  const Loop outline{{0, 0}, {2, 0}, {2, 1}, {0, 1}};
+  const DomainInput plate = at_hole ? domain_of({outline, hole}) : domain_of({outline});
   UserFields user;
-  user.sizes = {{{0.4, 0.5}, 0.005}};
+  if (at_hole)
+    for (const Vec2 p : hole) user.sizes.push_back({p, 0.005});
+  else
+    user.sizes = {{{0.4, 0.5}, 0.005}};
   const auto outcome = mesh_domain(plate, {.size = 0.1}, {}, nullptr, user);
   REQUIRE(outcome);
   CHECK(check_output(outcome->mesh).empty());

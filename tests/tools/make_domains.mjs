@@ -29,6 +29,11 @@ const domains = {
     h: 0.08,
     loops: [[[-1, -1], [1, -1], [1, 1], [-1, 1]], circle(0, 0, 0.4, 48)],
   },
+  twenty_to_one: {
+    h: 0.1,
+    loops: [[[-1, -1], [1, -1], [1, 1], [-1, 1]], circle(0, 0, 0.04, 50)],
+    sizes: circle(0, 0, 0.04, 50).map((p) => [...p, 0.005]),
+  },
   gear: { h: 0.05, loops: [gear(12, 0.8, 1), circle(0, 0, 0.3, 40)] },
   two_materials: {
     h: 0.1,
