@@ -50,12 +50,18 @@ add_counts() {  # what, log
   failed=$((failed + ${line%% failed*}))
 }
 
+# "N passed, N failed" from the end of a log of Node's test runner; what it cancelled has failed.
+count_node_tests() {  # log
+  awk '/^# pass / { passed = $3; ended = 1 } /^# (fail|cancelled) / { failed += $3 }
+       END { if (ended) print passed " passed, " failed " failed" }' "$1"
+}
+
 test_package() {
   local log=build/wasm.log
   bash wasm/build.sh >"$log" 2>&1 && install_tools . && install_tools tests/package || {
     cat "$log"; failed=$((failed + 1)); return; }
   node --test --test-reporter=tap tests/wasm/*.test.mjs >"$log" 2>&1
-  echo "$(sed -nE 's/^# pass //p' "$log") passed, $(sed -nE 's/^# fail //p' "$log") failed" >>"$log"
+  count_node_tests "$log" >>"$log"
   add_counts "tests/wasm" "$log"
   node tests/package/matrix.mjs >build/matrix.log 2>&1
   add_counts "tests/package" build/matrix.log
@@ -67,7 +73,7 @@ test_web() {
   { node_modules/.bin/tsc -p web/tsconfig.json && bash web/build.sh; } >"$log" 2>&1 || {
     cat "$log"; failed=$((failed + 1)); return; }
   node --test --test-concurrency=2 --test-reporter=tap tests/web/*.test.mjs >"$log" 2>&1
-  echo "$(sed -nE 's/^# pass //p' "$log") passed, $(sed -nE 's/^# fail //p' "$log") failed" >>"$log"
+  count_node_tests "$log" >>"$log"
   add_counts "tests/web" "$log"
 }
 

@@ -24,7 +24,10 @@ const kept = (page) => page.evaluate(() => navigator.serviceWorker.ready.then(()
 
 /** Until it holds in the page. (page.waitForFunction takes a promise for a yes.) */
 async function until(page, holds) {
-  while (!await page.evaluate(holds)) await page.waitForTimeout(50);
+  for (let tries = 0; !await page.evaluate(holds); ++tries) {
+    assert.ok(tries < 600, `not within half a minute: ${holds}`);
+    await page.waitForTimeout(50);
+  }
 }
 
 test('after the first visit the page loads and meshes without a network', async () => {
@@ -73,11 +76,13 @@ test('a new version is shown at the next visit, and kept', async () => {
   await page.evaluate(() => navigator.serviceWorker.getRegistration().then((found) => found.update()));
   await until(page, () => navigator.serviceWorker.getRegistration().then((found) => found.waiting !== null));
   // It takes over once no page of the old version is open, which the browser may notice a moment late.
-  do {
+  const isNewer = () => caches.keys().then((names) => names.length === 1 && names[0].startsWith('lpquad-newer'));
+  for (let visits = 0; !await page.evaluate(isNewer); ++visits) {
+    assert.ok(visits < 20, 'the new version does not take over');
     await page.goto('about:blank');
     await page.goto(address);
     await kept(page);
-  } while (!await page.evaluate(() => caches.keys().then((names) => names.length === 1 && names[0].startsWith('lpquad-newer'))));
+  }
   await context.setOffline(true);
   await page.reload();
   await finished(page);
