@@ -111,13 +111,15 @@ test('a reader that cannot be loaded is said, and tried again with the next file
 
 test('progress is said while the reader is loaded; of two files the second is opened', async () => {
   const page = await openSpace();
-  let release;
+  let hold;
+  const held = new Promise((resolve) => { hold = resolve; });
   await page.route('**/occt-import-js/*.wasm', async (route) => {
-    await new Promise((resolve) => { release = resolve; });
+    await new Promise(hold);
     await route.continue();
   }, { times: 1 });
   await page.locator('input[type=file]').setInputFiles(step('first.step'));
   await page.locator('.notice', { hasText: 'Loading the reader of CAD files' }).waitFor();
+  const release = await held;  // before, it would be the second file's request that is held for ever
   await choose(page, step('second.step'));
   release();
   await page.waitForTimeout(500);
