@@ -190,6 +190,11 @@ Refiller::Trial Refiller::build(const Plan& plan) const {
   return trial;
 }
 
+double Refiller::size_at(Vec2 p) const {
+  if (asked_.empty() || asked_.back() != p) asked_.push_back(p);
+  return fields_.size(p, hint_);
+}
+
 // New vertices to the mean of their neighbours, then the whole neighbourhood by its shapes.
 void Refiller::relax(Trial& trial) const {
   QuadMesh& patch = trial.patch;
@@ -209,7 +214,7 @@ void Refiller::relax(Trial& trial) const {
     }
   if (!invalid_faces(patch).empty()) untangle_patch(patch, options_.untangling);
   if (!invalid_faces(patch).empty()) return;
-  const double h = fields_.size(patch.points[trial.loop[0]], hint_);
+  const double h = size_at(patch.points[trial.loop[0]]);
   const std::vector<double> unit(patch.faces.size(), 1 / (h * h));
   const std::vector<double> sizes = vertex_sizes(patch);
   const std::vector<Vec2> before = patch.points;
@@ -259,6 +264,21 @@ RefillResult Refiller::commit(std::span<const Index> faces, const Plan& plan, co
 }
 
 RefillResult Refiller::refill(std::span<const Index> faces) {
+  asked_.clear();
+  if (const std::vector<Vec2>* asked = refusals_.find(mesh_, faces)) {
+    // On the edges of the background a search may end in one cell or the other, by where it began.
+    for (const Vec2 p : *asked) fields_.size(p, hint_);
+    return {};
+  }
+  RefillResult result = try_plans(faces);
+  if (result.accepted)
+    refusals_.forget_around(mesh_, result.vertices);
+  else
+    refusals_.note(faces, asked_);
+  return result;
+}
+
+RefillResult Refiller::try_plans(std::span<const Index> faces) {
   if (!outline(faces)) return {};
   weigh_loop(faces);
   if (old_weight_ < least_gain && !options_.repair) return {};

@@ -18,6 +18,7 @@
 #include "cleanup/disk_patterns.h"
 #include "cleanup/ideal_valence.h"
 #include "cleanup/quad_topology.h"
+#include "cleanup/refusals.h"
 #include "cleanup/untangle.h"
 #include "field/field.h"
 
@@ -39,6 +40,7 @@ struct RefillResult {
   std::vector<Index> vertices;  // around which something changed
 };
 
+/// From its first refill on nothing else may edit the mesh.
 class Refiller {
  public:
   Refiller(QuadTopology& mesh, const IdealValence& ideal, const Fields& fields,
@@ -55,6 +57,8 @@ class Refiller {
     double weight = 0;
   };
 
+  double size_at(Vec2 p) const;
+  RefillResult try_plans(std::span<const Index> faces);
   bool outline(std::span<const Index> faces);
   void weigh_loop(std::span<const Index> faces);
   void choose_plans(std::vector<Plan>& plans);
@@ -70,8 +74,10 @@ class Refiller {
   DiskPatterns& patterns_;
   RefillOptions options_;
   mutable Index hint_ = none;
+  Refusals refusals_;
 
   // Of the cavity at hand.
+  mutable std::vector<Vec2> asked_;                       // where the fields were
   std::vector<Index> loop_;                               // counter-clockwise
   std::vector<std::array<double, largest_loop>> weight_;  // of loop vertex i with c quads inside
   std::vector<Index> ring_;                               // faces outside that may change shape
