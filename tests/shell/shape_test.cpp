@@ -104,6 +104,37 @@ double gradient_error(const SpaceQuad& p, Energy&& energy) {
   return worst;
 }
 
+constexpr double groove_angle = 12 * turn / 360;  // on each side of the x axis
+
+/// A disc with a groove between two creases that leave its middle at 24 degrees; beside the groove
+/// it is up to `roughness` high.
+SurfaceSoup grooved_disc(double roughness) {
+  constexpr int in = 4, out = 28, rounds = 10;
+  constexpr double depth[in] = {0, 0.1166, 0.1466, 0.1166};
+  SurfaceSoup soup;
+  soup.group_names = {""};
+  soup.points.push_back({0, 0, 0});
+  Rng rng(1);
+  for (int i = 1; i <= rounds; ++i)
+    for (int k = 0; k < in + out; ++k) {
+      const double share = k < in ? 2.0 * k / in : 0;
+      const double angle = k < in ? groove_angle * (share - 1)
+                                  : groove_angle + (turn - 2 * groove_angle) * (k - in) / out;
+      const double r = 0.1 * i, bump = k > in ? rng.between(0, roughness) : 0;
+      soup.points.push_back(
+          {r * std::cos(angle), r * std::sin(angle), bump - (k < in ? depth[k] * r : 0)});
+    }
+  const auto at = [](int i, int k) {
+    return static_cast<Index>(i == 0 ? 0 : 1 + (i - 1) * (in + out) + k % (in + out));
+  };
+  for (int i = 0; i < rounds; ++i)
+    for (int k = 0; k < in + out; ++k) {
+      soup.triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+      if (i > 0) soup.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+    }
+  return soup;
+}
+
 }  // namespace
 
 TEST_CASE("walks on a flat surface are straight and stop at the border") {
@@ -289,4 +320,24 @@ TEST_CASE("tips that the mesh cuts off are reached") {
   CHECK(shell_quality(meshed.mesh()).nonconvex == 0);
   CHECK(shell_quality(meshed.mesh()).eta_min > 0.3);
   CHECK(is_on_surface(meshed));
+}
+
+TEST_CASE("acute corners of noise move along a crease, those of clean creases stay") {
+  constexpr double h = 0.1;
+  for (const double roughness : {0.0, 0.016}) {
+    const ShellOutcome outcome = *mesh_surface(grooved_disc(roughness), {.size = h});
+    const auto& points = outcome.mesh.points;
+    const Vec3 nearest = *std::min_element(points.begin(), points.end(), [](Vec3 a, Vec3 b) {
+      return squared_length(a) < squared_length(b);
+    });
+    const bool rough = roughness > 0;
+    INFO("eta " << shell_quality(outcome.mesh).eta_min << " moved " << length(nearest));
+    CHECK(outcome.report.shape.eased == (rough ? 1 : 0));
+    CHECK((length(nearest) > 0) == rough);
+    CHECK(length(nearest) < 0.2 * h * (1 + 1e-9));
+    CHECK(std::abs(nearest.z) < 1e-12);
+    CHECK(std::abs(nearest.y) ==
+          Approx(nearest.x * std::sin(groove_angle) / std::cos(groove_angle)).margin(1e-12));
+    CHECK((shell_quality(outcome.mesh).eta_min > 0.3) == rough);
+  }
 }

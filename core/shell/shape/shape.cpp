@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "shell/shape/acute.h"
 #include "shell/shape/mend.h"
 #include "shell/shape/smoother.h"
 #include "shell/shape/tips.h"
@@ -176,6 +177,7 @@ class ShapeFinisher::Run {
 
   bool begin_poor() {
     mender_.reset();
+    stats_.eased = ease_corners(charted_, ground_, options_, mesh_, roles_);
     stats_.reached = reach_tips(charted_, ground_, options_, mesh_, roles_);
     mender_.emplace(ground_, options_, mesh_, roles_);
     part_ = Part::poor;

@@ -1,0 +1,166 @@
+// See acute.h.
+#include "shell/shape/acute.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "shell/shape/mend.h"
+#include "surface/sharp_chains.h"
+#include "surface/sharp_edges.h"
+
+namespace lpq {
+namespace {
+
+constexpr double fair = 0.3;         // eta that the poor quad must get
+constexpr double poor = 0.32;        // eta of quads that corners move for, until they are that good
+constexpr int rings = 3;             // that may move
+constexpr double furthest = 0.2;     // of the mesh size
+constexpr int steps = 8;             // on the way there
+constexpr double least_gain = 0.02;  // eta
+constexpr double slack = 0.01;       // eta that the worst quad of a patch may lose
+constexpr int most_corners = 50;     // tried: where more are poor, it is not for their corners
+
+/// The creases that end at corners of the surface.
+class Creases {
+ public:
+  Creases(const Charted& charted, const Tracks& tracks)
+      : tracks_(tracks),
+        features_(charted.features),
+        angles_(edge_angles(charted.mesh, charted.size, features_.edges)),
+        chains_(charted.mesh, angles_, FeatureOptions{}.angle, features_) {}
+  Creases(const Creases&) = delete;
+
+  /// Their starts, as tracks with s at the corner's end; none unless all are sharp edges and one is
+  /// noise.
+  std::vector<TrackPosition> at(Index corner) const {
+    const SurfaceCurves& curves = tracks_.curves();
+    std::vector<TrackPosition> ends;
+    bool rough = false;
+    for (Index c = 0; c < curves.count(); ++c) {
+      const auto vertices = curves.vertices.row(c);
+      const auto edges = curves.edges.row(c);
+      if (vertices.front() != corner && vertices.back() != corner) continue;
+      if (features_.kind[edges[0]] != FeatureKind::sharp) return {};
+      rough =
+          rough || chains_.is_rough(
+                       {{edges.begin(), edges.end()}, {vertices.begin(), vertices.end()}}, false);
+      if (vertices.front() == corner) ends.push_back({c, 0, none});
+      if (vertices.back() == corner) ends.push_back({c, tracks_.length(c), none});
+    }
+    return rough ? ends : std::vector<TrackPosition>{};
+  }
+
+ private:
+  const Tracks& tracks_;
+  SurfaceFeatures features_;
+  std::vector<double> angles_;
+  SharpChains chains_;
+};
+
+class CornerEaser {
+ public:
+  CornerEaser(const Charted& charted, const ShapeGround& ground, const SmoothOptions& options,
+              ShellMesh& mesh, std::vector<VertexRole>& roles)
+      : charted_(charted),
+        ground_(ground),
+        options_(options),
+        mesh_(mesh),
+        roles_(roles),
+        stars_(faces_at_vertices(mesh)) {}
+
+  Index run() {
+    for (Index f = 0; f < static_cast<Index>(mesh_.faces.size()); ++f)
+      for (const Index v : mesh_.faces[f])
+        if (tried_ < most_corners && v != none && roles_[v].on_track.vertex != none && is_poor(f))
+          eased_ += ease(f, v);
+    return eased_;
+  }
+
+ private:
+  bool is_poor(Index f) const {
+    const double eta = signed_eta(ground_, mesh_, f);
+    return 0 <= eta && eta < poor;
+  }
+
+  bool ease(Index f, Index v) {
+    if (!creases_) creases_.emplace(charted_, ground_.tracks);
+    const std::vector<TrackPosition> creases = creases_->at(roles_[v].on_track.vertex);
+    if (creases.empty()) return false;
+    ++tried_;
+    const ShapePatch patch =
+        take_patch(mesh_, roles_, stars_, faces_around(mesh_, stars_, f, rings));
+    const Index local = index_of(v, patch.vertex);
+    const ShapePatch best = best_move(patch, index_of(f, patch.faces), local, creases);
+    if (best.roles[local].on_track.vertex != none) return false;
+    put_back(best, mesh_, roles_);
+    roles_[v] = best.roles[local];
+    mesh_.pinned[v] = 1;
+    return true;
+  }
+
+  static Index index_of(Index i, const std::vector<Index>& ascending) {
+    return static_cast<Index>(std::lower_bound(ascending.begin(), ascending.end(), i) -
+                              ascending.begin());
+  }
+
+  /// The patch itself if no move is worth it.
+  ShapePatch best_move(const ShapePatch& patch, Index f, Index v,
+                       const std::vector<TrackPosition>& creases) const {
+    ShapePatch best = patch;
+    ShapePatch moved = patch;
+    const auto before = ShapeSmoother(ground_, patch.roles, options_, moved.mesh).verdict();
+    smooth_patch(ground_, options_, moved);
+    double eta = std::max(worst_at(patch, v), worst_at(moved, v)) + least_gain;
+    const double step = furthest / steps * ground_.size_at(patch.mesh.places[v]);
+    for (int k = 1; k <= steps && eta < poor; ++k)
+      for (const TrackPosition& end : creases) {
+        moved = patch;
+        if (!put_on(end, k * step, v, moved)) continue;
+        const auto now = smooth_patch(ground_, options_, moved);
+        if (now.tangled > before.tangled || now.worst < before.worst - slack) continue;
+        if (signed_eta(ground_, moved.mesh, f) < fair || worst_at(moved, v) < eta) continue;
+        eta = worst_at(moved, v);
+        best = moved;
+      }
+    return best;
+  }
+
+  /// At some way along a track from its end.
+  bool put_on(TrackPosition end, double by, Index v, ShapePatch& patch) const {
+    if (2 * by > ground_.tracks.length(end.track)) return false;
+    end.s += end.s > 0 ? -by : by;
+    patch.roles[v].on_track = end;
+    patch.mesh.places[v] = ground_.tracks.at(end.track, end.s).place;
+    patch.mesh.points[v] = point_at(ground_.surface, patch.mesh.places[v]);
+    return true;
+  }
+
+  /// Least eta of the faces at a vertex.
+  double worst_at(const ShapePatch& patch, Index v) const {
+    double worst = 1;
+    for (std::size_t f = 0; f < patch.mesh.faces.size(); ++f)
+      for (const Index w : patch.mesh.faces[f])
+        if (w == v) worst = std::min(worst, signed_eta(ground_, patch.mesh, static_cast<Index>(f)));
+    return worst;
+  }
+
+  const Charted& charted_;
+  const ShapeGround& ground_;
+  const SmoothOptions& options_;
+  ShellMesh& mesh_;
+  std::vector<VertexRole>& roles_;
+  Csr<Index> stars_;
+  std::optional<Creases> creases_;  // from the first poor quad on
+  int tried_ = 0;
+  Index eased_ = 0;
+};
+
+}  // namespace
+
+Index ease_corners(const Charted& charted, const ShapeGround& ground, const SmoothOptions& options,
+                   ShellMesh& mesh, std::vector<VertexRole>& roles) {
+  return CornerEaser(charted, ground, options, mesh, roles).run();
+}
+
+}  // namespace lpq
