@@ -98,7 +98,7 @@ TEST_CASE("half of a surface without mesh is seen from the surface only") {
   CHECK(std::abs(half.from_surface.mean - 0.25) < 0.02);
 }
 
-TEST_CASE("chords of a sphere stay within their sagitta") {
+TEST_CASE("chords of a sphere stay within their sagitta", "[slow]") {
   const SurfaceMesh ball = sphere(24);
   SurfaceSoup soup;
   soup.points = ball.points;

@@ -45,7 +45,7 @@ struct Plate {
 }  // namespace
 
 // The surface's own field knows one direction for each of these triangles.
-TEST_CASE("a plate in few triangles is meshed as well as in the plane") {
+TEST_CASE("a plate in few triangles is meshed as well as in the plane", "[slow]") {
   constexpr double h = 0.08;
   const Plate plate;
   SurfaceOptions options;

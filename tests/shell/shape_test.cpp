@@ -236,7 +236,7 @@ TEST_CASE("a shaken box finds back, and its edges stay where they are") {
   CHECK(feature_length(meshed.mesh()) == Approx(16).epsilon(1e-12));
 }
 
-TEST_CASE("a shaken ball and ring are untangled on the surface") {
+TEST_CASE("a shaken ball and ring are untangled on the surface", "[slow]") {
   for (const SurfaceMesh& surface : {sphere(12), torus(48, 24, 1, 0.4)}) {
     const double h = std::sqrt(surface_area(surface) / 1200);
     Meshed meshed(soup_of(surface), h);

@@ -180,7 +180,7 @@ TEST_CASE("bodies that share a side get closed meshes, each as if it were alone"
   CHECK(alone.report.bodies.empty());
 }
 
-TEST_CASE("where a surface is thinner than the mesh size, the size gives way") {
+TEST_CASE("where a surface is thinner than the mesh size, the size gives way", "[slow]") {
   for (const double tube : {0.1, 0.03}) {
     const auto outcome = mesh_surface(soup_of(torus(96, 16, 1, tube)), {.size = 0.5});
     REQUIRE(outcome.has_value());

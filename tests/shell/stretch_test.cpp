@@ -73,7 +73,7 @@ Qualities meshed(Method method, Warp warp) {
 
 // Without the metric the cap lost 0.2 to 0.3 of its mean eta in the charts, and 0.04 to 0.1 of what
 // the finish in space leaves (0.09 to 0.14 in the paper's chain).
-TEST_CASE("quads in space are as good where the map is not conformal") {
+TEST_CASE("quads in space are as good where the map is not conformal", "[slow]") {
   const auto check = [](Method method, double in_charts, double in_the_end) {
     const Qualities conformal = meshed(method, as_it_is);
     for (const Warp warp : {pulled, waved}) {

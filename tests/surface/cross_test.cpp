@@ -69,7 +69,7 @@ TEST_CASE("without a constraint the field is smooth and its indices sum to 4 chi
   CHECK(total_index(solve_surface_cross(torus(40, 16, 3, 1), {})) == 0);
 }
 
-TEST_CASE("crosses of surfaces too large to be solved for at once are as smooth") {
+TEST_CASE("crosses of surfaces too large to be solved for at once are as smooth", "[slow]") {
   const SurfaceMesh ball = sphere(76);  // 69,312 triangles
   const SurfaceCrossField round = solve_surface_cross(ball, {});
   CHECK(round.singularities.size() == 8);
@@ -132,7 +132,7 @@ TEST_CASE("the same surface has the same field, bit for bit") {
   CHECK(a.z == b.z);
 }
 
-TEST_CASE("the indices of the shared closed surfaces sum to 4 chi") {
+TEST_CASE("the indices of the shared closed surfaces sum to 4 chi", "[slow]") {
   const auto files = shared_surfaces();
   if (files.empty()) WARN("SKIPPED: nothing tested here because there are no shared surfaces");
   int seen = 0;

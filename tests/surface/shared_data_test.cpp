@@ -41,7 +41,7 @@ void check_curves_of(const SurfaceMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("valid surfaces of the shared data keep every triangle with a height") {
+TEST_CASE("valid surfaces of the shared data keep every triangle with a height", "[slow]") {
   for (const auto& path : shared_surfaces("surfaces")) {
     INFO(path.filename());
     const RepairedSurface surface = read_and_repair(path);
