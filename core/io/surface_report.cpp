@@ -20,6 +20,7 @@ void append_counts(JsonWriter& json, const ShellOutcome& outcome) {
   json.member("windowsAccepted", report.seams.accepted);
   json.member("shapeRefills", report.shape.refilled);
   json.member("tipsReached", report.shape.reached);
+  json.member("cornersMoved", report.shape.eased);
   json.member("targetSize", report.target_size);
   json.member("hash", hash_text(report.hash));
 }
