@@ -42,7 +42,7 @@ test('a difference has a sign, and says whether it is for the better', () => {
 const both = (page) => page.waitForFunction(() => {
   const led = globalThis.playground.led();
   return led.length === 2 && led.every(({ run }) => run.phase === 'done');
-}, undefined, { timeout: 60000 });
+});
 
 test('two meshes side by side, one clock, one view, and a table of what differs', async () => {
   const page = await playground.open();

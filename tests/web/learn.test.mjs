@@ -35,7 +35,7 @@ const shown = (page, { project, at }) => page.waitForFunction(({ layers, at }) =
   const { store, runner: { run, busy } } = globalThis.playground;
   return !busy && String(store.project.layers) === layers && run.project === store.project && run.state?.stage === at.stage
     && run.frame?.tick === run.state.tick && (at.iteration === undefined || run.state.iteration === at.iteration);
-}, { layers: String(project.layers), at }, { timeout: 60000 });
+}, { layers: String(project.layers), at });
 
 test('keys lead through all chapters and back, and undo leads out', async () => {
   const page = await playground.open();
@@ -80,7 +80,7 @@ test('watching plays the figure from its start', async () => {
   const page = await playground.open({ hash: '#chapter=norm' });
   await shown(page, chapters[3]);
   await page.getByRole('button', { name: 'Watch it happen' }).click();
-  await page.waitForFunction(() => globalThis.playground.runner.run.phase === 'done', null, { timeout: 60000 });
+  await page.waitForFunction(() => globalThis.playground.runner.run.phase === 'done');
   assert.deepEqual(page.errors, []);
   await page.context().close();
 });

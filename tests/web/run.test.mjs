@@ -8,7 +8,7 @@ before(async () => { playground = await startPlayground(); });
 after(() => playground.close());
 
 const stageName = (page) => page.locator('.stage-name');
-const shows = (page, text) => stageName(page).filter({ hasText: text }).waitFor({ timeout: 60000 });
+const shows = (page, text) => stageName(page).filter({ hasText: text }).waitFor();
 
 /** Tick, stage and a fingerprint of the points on the screen. */
 const picture = (page) => page.evaluate(() => {
@@ -117,7 +117,7 @@ test('cancel ends a long run at once, and says so', async () => {
   const page = await playground.open();
   await finished(page);
   await page.evaluate(() => globalThis.playground.store.change('Size', { options: { size: 0.005 } }));
-  await page.waitForFunction(() => globalThis.playground.runner.run.phase === 'playing', undefined, { timeout: 60000 });
+  await page.waitForFunction(() => globalThis.playground.runner.run.phase === 'playing');
   assert.equal(await page.locator('.freshness').textContent(), 'Out of date');
   await page.keyboard.press('Escape');
   await shows(page, 'cancelled');

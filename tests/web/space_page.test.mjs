@@ -158,7 +158,7 @@ test('a run is cancelled at once, and begun again', async () => {
   await page.evaluate(() => globalThis.playground.store.change('Size', { options: { size: 0.01 } }));
   await page.locator('.stage-name', { hasText: /meshing|mapping|solving/ }).waitFor({ timeout: patience });
   await page.keyboard.press('Escape');
-  await page.locator('.stage-name', { hasText: /^cancelled$/ }).waitFor({ timeout: 5000 });
+  await page.locator('.stage-name', { hasText: /^cancelled$/ }).waitFor({ timeout: patience });
   await page.evaluate(() => globalThis.playground.store.change('Size', { options: { size: 0.3 } }));
   await over(page);
   assert.deepEqual(page.errors, []);

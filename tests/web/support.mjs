@@ -8,6 +8,9 @@ export const folder = process.env.LPQ_WEB ?? fileURLToPath(new URL('../../build/
 const quiet = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage'];
 
+/** For what a slow machine does late: a test says that something happens, not when. */
+const patience = 120000;
+
 /** One server and one Chromium for a test file; `open` gives a page of its own storage. */
 export async function startPlayground() {
   const server = await serve({ web: { folder } });
@@ -20,6 +23,7 @@ export async function startPlayground() {
       const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light',
         reducedMotion: still ? 'reduce' : 'no-preference', hasTouch: touch, acceptDownloads: true,
         serviceWorkers: offline ? 'allow' : 'block' });
+      context.setDefaultTimeout(patience);
       const page = await context.newPage();
       page.errors = [];
       page.on('pageerror', (error) => page.errors.push(error.message));
@@ -35,4 +39,4 @@ export async function startPlayground() {
 }
 
 /** Waits for the mesh of what is on the screen. */
-export const finished = (page) => page.locator('.stage-name', { hasText: /^done/ }).waitFor({ timeout: 60000 });
+export const finished = (page) => page.locator('.stage-name', { hasText: /^done/ }).waitFor();
