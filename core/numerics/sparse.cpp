@@ -24,12 +24,25 @@ Matrix<Scalar> lower_triangle(Index n, std::span<const Entry<Scalar>> entries) {
   return a;
 }
 
+/// Approximate minimum degree. Where entries are is all that counts: the real parts stand for the
+/// whole, so that there is one ordering for both scalars. Nor is A + A^T formed, as what Eigen
+/// orders by itself would: A comes with both triangles.
+struct FillReducingOrder {
+  using PermutationType = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index>;
+
+  template <class Scalar>
+  void operator()(const Matrix<Scalar>& a, PermutationType& order) const {
+    const Matrix<double> pattern = a.real();
+    Eigen::AMDOrdering<Index>()(pattern.selfadjointView<Eigen::Lower>(), order);
+  }
+};
+
 }  // namespace
 
 template <class Scalar>
 struct SparseFactor<Scalar>::Data {
   Index n = 0;
-  Eigen::SimplicialLDLT<Matrix<Scalar>, Eigen::Lower> ldlt;
+  Eigen::SimplicialLDLT<Matrix<Scalar>, Eigen::Lower, FillReducingOrder> ldlt;
   SparseStatus status = SparseStatus::ok;
 
   void factorise(const Matrix<Scalar>& a) {
