@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/sort_numbers.h"
 #include "cleanup/ideal_valence.h"
 
 namespace lpq {
@@ -134,11 +135,15 @@ std::span<const DiskPattern> DiskPatterns::of_loop(Index length) {
   const std::span<const Limit> limits = set_ == PatternSet::regular
                                             ? std::span<const Limit>(regular_limits)
                                             : std::span<const Limit>(repair_limits);
+  std::vector<DiskPattern> found;
   for (const Limit& limit : limits)
-    if (limit.loop == length) patterns = Filling(limit).take();
-  std::stable_sort(
-      patterns.begin(), patterns.end(),
-      [](const DiskPattern& a, const DiskPattern& b) { return a.irregularity < b.irregularity; });
+    if (limit.loop == length) found = Filling(limit).take();
+  const std::vector<Index> order = sorted_numbers(found.size(), [&](Index i, Index j) {
+    const double a = found[i].irregularity, b = found[j].irregularity;
+    return a != b ? a < b : i < j;
+  });
+  patterns.reserve(found.size());
+  for (const Index i : order) patterns.push_back(std::move(found[i]));
   return patterns;
 }
 

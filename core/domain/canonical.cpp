@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/sort_numbers.h"
+
 namespace lpq {
 namespace {
 
@@ -177,11 +179,10 @@ Result<Domain> Canonicaliser::run() {
     domain_.regions.push_back(region.name);
   collect_tags();
   number_points();
-  std::vector<Index> order(outline_.loop_count);
-  for (Index l = 0; l < outline_.loop_count; ++l) order[l] = l;
   std::vector<Vec2> smallest(outline_.loop_count);
-  for (const Index l : order) smallest[l] = outline_.points[smallest_corner(outline_.chains[l])];
-  std::sort(order.begin(), order.end(), [&](Index k, Index l) {
+  for (Index l = 0; l < outline_.loop_count; ++l)
+    smallest[l] = outline_.points[smallest_corner(outline_.chains[l])];
+  const std::vector<Index> order = sorted_numbers(smallest.size(), [&](Index k, Index l) {
     const Index r = outline_.chains[k].region, s = outline_.chains[l].region;
     if (r != s) return r < s;
     if (!(smallest[k] == smallest[l])) return smallest[k] < smallest[l];

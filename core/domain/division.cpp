@@ -1,6 +1,6 @@
 #include "domain/division.h"
 
-#include <algorithm>
+#include "base/sort_numbers.h"
 
 namespace lpq {
 
@@ -91,10 +91,8 @@ namespace {
 std::vector<Index> document_order(const Domain& domain, std::span<const Segment> segments,
                                   const std::vector<Index>& node_of_point,
                                   const std::vector<Index>& first_interior, Index node_count) {
-  std::vector<Index> order(segments.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Index>(i);
   const auto polylines_last = [](const Segment& s) { return s.region == none; };
-  std::sort(order.begin(), order.end(), [&](Index i, Index j) {
+  const std::vector<Index> order = sorted_numbers(segments.size(), [&](Index i, Index j) {
     const Segment &s = segments[i], &t = segments[j];
     if (polylines_last(s) != polylines_last(t)) return polylines_last(t);
     if (s.region != t.region) return s.region < t.region;

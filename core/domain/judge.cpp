@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_numbers.h"
 #include "domain/box_tree.h"
 #include "domain/meetings.h"
 #include "domain/nesting.h"
@@ -75,8 +76,7 @@ Problem judge_overlap(const Outline& outline, const EdgePair& pair) {
   const Edge &e = outline.edges[pair.edge], &f = outline.edges[pair.other];
   // The middle two of the four ends, in order along the line, bound the common piece.
   Index ends[4] = {e.a, e.b, f.a, f.b};
-  std::sort(ends, ends + 4,
-            [&](Index p, Index q) { return outline.points[p] < outline.points[q]; });
+  sort_numbers(ends, [&](Index p, Index q) { return outline.points[p] < outline.points[q]; });
   const Vec2 place = outline.given[ends[1]];
   return Error{ErrorCode::overlapping_edges,
                capitalised(edge_name(outline, pair.edge)) + " and " +

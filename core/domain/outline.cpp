@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 #include <optional>
+
+#include "base/sort_numbers.h"
 
 namespace lpq {
 namespace {
@@ -199,11 +200,9 @@ OutlineBuilder::Problem OutlineBuilder::fit() {
 
 void OutlineBuilder::number_vertices() {
   const Index n = static_cast<Index>(outline_.points.size());
-  std::vector<Index> order(n);
-  std::iota(order.begin(), order.end(), 0);
   const auto& p = outline_.points;
-  std::sort(order.begin(), order.end(),
-            [&](Index a, Index b) { return p[a] < p[b] || (p[a] == p[b] && a < b); });
+  const std::vector<Index> order = sorted_numbers(
+      p.size(), [&](Index a, Index b) { return p[a] < p[b] || (p[a] == p[b] && a < b); });
   outline_.vertex.resize(n);
   for (Index i = 0; i < n; ++i) {
     if (i > 0 && !(p[order[i]] == p[order[i - 1]])) ++outline_.vertex_count;

@@ -1,9 +1,9 @@
 #include "field/inside.h"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 
+#include "base/sort_numbers.h"
 #include "geometry/predicates.h"
 
 namespace lpq {
@@ -54,12 +54,9 @@ std::vector<Wall> upward_walls(const BoundaryMesh& boundary) {
 }
 
 std::vector<Index> order_of(const std::vector<double>& heights) {
-  std::vector<Index> order(heights.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](Index i, Index j) {
+  return sorted_numbers(heights.size(), [&](Index i, Index j) {
     return heights[i] != heights[j] ? heights[i] < heights[j] : i < j;
   });
-  return order;
 }
 
 template <class Things, class Height>

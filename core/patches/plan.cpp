@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/sort_numbers.h"
+
 namespace lpq {
 namespace {
 
@@ -96,11 +98,14 @@ class Planner {
   }
 
   std::vector<Plan> best() {
-    std::stable_sort(found_.begin(), found_.end(), [](const Plan& a, const Plan& b) {
-      return a.irregular != b.irregular ? a.irregular < b.irregular : a.misfit < b.misfit;
+    const std::vector<Index> order = sorted_numbers(found_.size(), [&](Index i, Index j) {
+      const Plan &a = found_[i], &b = found_[j];
+      if (a.irregular != b.irregular) return a.irregular < b.irregular;
+      return a.misfit != b.misfit ? a.misfit < b.misfit : i < j;
     });
     std::vector<Plan> chosen;
-    for (const Plan& plan : found_) {
+    for (const Index i : order) {
+      const Plan& plan = found_[i];
       if (static_cast<int>(chosen.size()) == options_.count) break;
       const auto beside = [&](const Plan& other) {
         return other.first_side == plan.first_side && other.second_side == plan.second_side &&

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/disjoint_sets.h"
+#include "base/sort_numbers.h"
 
 namespace lpq {
 namespace {
@@ -21,8 +22,7 @@ Csr<Index> half_edges_by_ends(const Index* corners, Index half_edge_count, Index
   std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
   for (Index e = 0; e < half_edge_count; ++e) rows.values[next[ends(e)[0]]++] = e;
   for (Index v = 0; v < vertex_count; ++v) {
-    const auto row = rows.row(v);
-    std::sort(row.begin(), row.end(), [&](Index e, Index f) {
+    sort_numbers(rows.row(v), [&](Index e, Index f) {
       const Index x = ends(e)[1], y = ends(f)[1];
       return x != y ? x < y : e < f;
     });

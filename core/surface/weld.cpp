@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "base/disjoint_sets.h"
+#include "base/sort_numbers.h"
 
 namespace lpq {
 namespace {
@@ -22,7 +23,7 @@ std::vector<Index> used_points(std::span<const char> used) {
 template <class Body>
 void unite_equal(std::span<const Vec3> points, std::vector<Index> list, const Body& body,
                  DisjointSets& sets) {
-  std::sort(list.begin(), list.end(), [&](Index i, Index j) {
+  sort_numbers(list, [&](Index i, Index j) {
     const Vec3 a = points[i], b = points[j];
     const Index of_a = body(i), of_b = body(j);
     return std::tie(a.x, a.y, a.z, of_a, i) < std::tie(b.x, b.y, b.z, of_b, j);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "base/sort_numbers.h"
 #include "shell/place.h"
 
 namespace lpq {
@@ -60,7 +61,7 @@ void Freedom::find_neighbours() {
   std::vector<Index> on_tracks;
   for (std::size_t v = 0; v < role_.size(); ++v)
     if (role_[v].on_track.track != none) on_tracks.push_back(static_cast<Index>(v));
-  std::sort(on_tracks.begin(), on_tracks.end(), [&](Index v, Index w) {
+  sort_numbers(on_tracks, [&](Index v, Index w) {
     const TrackPosition &a = role_[v].on_track, &b = role_[w].on_track;
     if (a.track != b.track) return a.track < b.track;
     return a.s != b.s ? a.s < b.s : v < w;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "base/sort_numbers.h"
 
 namespace lpq {
 namespace {
@@ -35,9 +36,7 @@ AtlasLayout lay_out(std::span<const Chart> charts) {
   }
   const double gap = gap_share * std::sqrt(area);
   width = std::max(width, row_share * std::sqrt(area)) + 2 * gap;
-  std::vector<Index> order(charts.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+  const std::vector<Index> order = sorted_numbers(charts.size(), [&](Index a, Index b) {
     const double height_a = boxes[a].size.y, height_b = boxes[b].size.y;
     return height_a != height_b ? height_a > height_b : a < b;
   });

@@ -1,0 +1,19 @@
+#include "base/sort_numbers.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace lpq {
+
+void sort_numbers(std::span<Index> numbers, ComesBefore before) {
+  std::sort(numbers.begin(), numbers.end(), before);
+}
+
+std::vector<Index> sorted_numbers(std::size_t count, ComesBefore before) {
+  std::vector<Index> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  sort_numbers(numbers, before);
+  return numbers;
+}
+
+}  // namespace lpq
