@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "mesh/ideal_quads.h"
 #include "numerics/elementary.h"
 
 namespace lpq {
@@ -52,12 +53,6 @@ Index sector_begin(const QuadTopology& mesh, Index v, Index f) {
 
 }  // namespace
 
-Index quads_for_angle(double angle) {
-  Index k = 1;
-  while (angle * (2 * k + 1) > pi * k * (k + 1)) ++k;
-  return k;
-}
-
 double sector_angle(Vec2 v, Vec2 from, Vec2 to) {
   const double angle = arc_tangent(cross(from - v, to - v), dot(from - v, to - v));
   return from == to || angle <= 0 ? angle + 2 * pi : angle;
@@ -88,7 +83,7 @@ IdealValence::IdealValence(const QuadTopology& mesh) {
       const Index last = sector_end(mesh, v, f);
       const double angle =
           first == last ? 2 * pi : sector_angle(mesh.point(v), mesh.point(first), mesh.point(last));
-      sectors_.values.push_back({first, quads_for_angle(angle)});
+      sectors_.values.push_back({first, ideal_quads(angle)});
       angles.back() = bordered ? 0 : angle;
       bordered = true;
     }

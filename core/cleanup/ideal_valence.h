@@ -16,9 +16,6 @@
 
 namespace lpq {
 
-/// Smallest k with angle <= pi k (k + 1) / (2 k + 1); radians in (0, 2 pi].
-Index quads_for_angle(double angle);
-
 /// Interior angle at v of the sector that begins at the edge v -> from and ends at v -> to,
 /// counter-clockwise, in (0, 2 pi]; 2 pi when both are the same edge.
 double sector_angle(Vec2 v, Vec2 from, Vec2 to);

@@ -1,5 +1,6 @@
 #include "recombine/fans.h"
 
+#include "mesh/ideal_quads.h"
 #include "mesh/walk.h"
 #include "numerics/elementary.h"
 
@@ -37,12 +38,6 @@ Fans find_fans(const TriMesh& mesh) {
   for (Index e = 0; e < half_edges; ++e)
     if (fans.of_corner[e] == none) add_fan(mesh, e, true, fans);
   return fans;
-}
-
-Index ideal_quads(double angle) {
-  Index k = 1;
-  while (angle * (2 * k + 1) > pi * k * (k + 1)) ++k;
-  return k;
 }
 
 }  // namespace lpq

@@ -24,9 +24,4 @@ struct Fans {
 
 Fans find_fans(const TriMesh& mesh);
 
-/// Quads that fit best between two walls at an angle: k while the angle is at most
-/// 180 k (k + 1) / (2 k + 1) degrees, where k corners deviate from 90 degrees as much, in ratio, as
-/// k + 1 do: switches at 120, 216, 309 degrees.
-Index ideal_quads(double angle);
-
 }  // namespace lpq

@@ -6,6 +6,7 @@
 
 #include "cleanup/ideal_valence.h"
 #include "cleanup/untangle.h"
+#include "mesh/ideal_quads.h"
 
 namespace lpq {
 namespace {
@@ -34,7 +35,7 @@ std::vector<Index> corners_of(const BoundaryMesh& boundary, const std::vector<In
   for (std::size_t k = 0; k < count; ++k) {
     const Vec2 before = boundary.points[loop[(k + count - 1) % count]];
     const Vec2 after = boundary.points[loop[(k + 1) % count]];
-    const Index quads = quads_for_angle(sector_angle(boundary.points[loop[k]], after, before));
+    const Index quads = ideal_quads(sector_angle(boundary.points[loop[k]], after, before));
     if (quads == 1) corners.push_back(static_cast<Index>(k));
     if (quads > 2) return {};
   }

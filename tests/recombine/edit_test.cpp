@@ -81,14 +81,6 @@ TEST_CASE("walls and reflex pairs are not flippable") {
   CHECK(flippable == 2);
 }
 
-TEST_CASE("ideal numbers of quads switch at 120, 216 and 309 degrees") {
-  const double degree = std::acos(-1.0) / 180;
-  const std::vector<std::pair<double, Index>> known{{30, 1},  {90, 1},  {119.9, 1}, {120.1, 2},
-                                                    {180, 2}, {215, 2}, {217, 3},   {270, 3},
-                                                    {308, 3}, {310, 4}, {360, 4}};
-  for (const auto& [angle, quads] : known) CHECK(ideal_quads(angle * degree) == quads);
-}
-
 TEST_CASE("fans: closed inside, open at walls, one per side of a wall") {
   //   6---7---8
   //   | / | / |     numbered as in a plain grid here: 4 is the inner vertex

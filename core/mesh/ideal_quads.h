@@ -1,0 +1,13 @@
+// How many quads fit an angle: what the matching, the clean-up and mapped grids want at a boundary.
+#pragma once
+
+#include "base/index.h"
+
+namespace lpq {
+
+/// Quads that fit best between two walls at an angle, radians in (0, 2 pi]: k while the angle is at
+/// most 180 k (k + 1) / (2 k + 1) degrees, where k corners deviate from 90 degrees as much, in
+/// ratio, as k + 1 do: switches at 120, 216, 308.6 degrees.
+Index ideal_quads(double angle);
+
+}  // namespace lpq
