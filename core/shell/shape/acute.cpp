@@ -99,11 +99,6 @@ class CornerEaser {
     return true;
   }
 
-  static Index index_of(Index i, const std::vector<Index>& ascending) {
-    return static_cast<Index>(std::lower_bound(ascending.begin(), ascending.end(), i) -
-                              ascending.begin());
-  }
-
   /// The patch itself if no move is worth it.
   ShapePatch best_move(const ShapePatch& patch, Index f, Index v,
                        const std::vector<TrackPosition>& creases) const {

@@ -114,10 +114,8 @@ class Mender::Run {
 
   void mend(Index f, bool refill) {
     ShapePatch best = take_patch(mesh_, roles_, stars_, faces_around(f, rings));
-    const Index local = static_cast<Index>(
-        std::lower_bound(best.faces.begin(), best.faces.end(), f) - best.faces.begin());
     std::vector<ShapePatch> tries;
-    if (refill) tries = refills(ground_, best, local);
+    if (refill) tries = refills(ground_, best, index_of(f, best.faces));
     Verdict least = verdict(best);
     bool better = false;
     ShapePatch moved = best;

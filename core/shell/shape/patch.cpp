@@ -23,6 +23,11 @@ void add_walls(const ShellMesh& mesh, ShapePatch& patch) {
 
 }  // namespace
 
+Index index_of(Index i, const std::vector<Index>& ascending) {
+  const auto at = std::lower_bound(ascending.begin(), ascending.end(), i);
+  return static_cast<Index>(at - ascending.begin());
+}
+
 Csr<Index> faces_at_vertices(const ShellMesh& mesh) {
   Csr<Index> stars;
   stars.offsets.assign(mesh.points.size() + 1, 0);
@@ -75,9 +80,7 @@ ShapePatch take_patch(const ShellMesh& mesh, const std::vector<VertexRole>& role
   for (const Index f : patch.faces) {
     Face face{none, none, none, none};
     for (int k = 0; k < corner_count(mesh.faces[f]); ++k)
-      face[k] = static_cast<Index>(
-          std::lower_bound(patch.vertex.begin(), patch.vertex.end(), mesh.faces[f][k]) -
-          patch.vertex.begin());
+      face[k] = index_of(mesh.faces[f][k], patch.vertex);
     patch.mesh.faces.push_back(face);
     patch.mesh.face.push_back(mesh.face[f]);
   }

@@ -148,8 +148,7 @@ class TipReacher {
   }
 
   bool put_on(Index tip, Index v, ShapePatch& patch) const {
-    const auto at = std::lower_bound(patch.vertex.begin(), patch.vertex.end(), v);
-    const std::size_t local = at - patch.vertex.begin();
+    const Index local = index_of(v, patch.vertex);
     if (patch.rim[local]) return false;
     patch.mesh.places[local] = finder_.place(tip);
     patch.mesh.points[local] = points_[tip];
