@@ -222,7 +222,8 @@ class SurfaceMesher::Run {
 
   SmoothOptions shape_options() const {
     SmoothOptions smoothing = shape_smoothing(chart_options(options_));
-    if (options_.smoothing >= 0) smoothing.iterations = options_.smoothing;
+    // Sizes even out slowly: three times as many as in the plane.
+    smoothing.iterations = options_.smoothing >= 0 ? options_.smoothing : 3 * smoothing.iterations;
     return smoothing;
   }
 

@@ -1,5 +1,8 @@
 #include "surface/sharp_edges.h"
 
+#include <utility>
+#include <vector>
+
 #include "numerics/elementary.h"
 #include "surface/normals.h"
 #include "surface/sharp_chains.h"
@@ -11,6 +14,9 @@ Vec3 direction(const SurfaceMesh& mesh, Index from, Index to) {
   const Vec3 d = mesh.points[to] - mesh.points[from];
   return (1 / length(d)) * d;
 }
+
+/// The edges by which a chain goes on from a loose end.
+using Extension = std::vector<Index>;
 
 /// Chains that go on where edges are less sharp.
 class Extender {
@@ -29,21 +35,27 @@ class Extender {
   }
 
   /// On from the loose ends of these edges.
-  void extend(const std::vector<Index>& edges) {
+  std::vector<Extension> extend(const std::vector<Index>& edges) {
+    std::vector<Extension> all;
     for (const Index i : edges)
-      for (const Index v : features_.edges.ends[i]) extend(i, v);
+      for (const Index v : features_.edges.ends[i])
+        if (Extension one = extend(i, v); !one.empty()) all.push_back(std::move(one));
+    return all;
   }
 
  private:
-  void extend(Index edge, Index v) {
+  Extension extend(Index edge, Index v) {
+    Extension all;
     while (valence_[v] == 1) {
       const Index next = straight_ahead(edge, v);
-      if (next == none) return;
+      if (next == none) break;
       features_.kind[next] = FeatureKind::sharp;
+      all.push_back(next);
       for (const Index end : features_.edges.ends[next]) ++valence_[end];
       edge = next;
       v = features_.edges.other_end(next, v);
     }
+    return all;
   }
 
   Index straight_ahead(Index edge, Index v) const {
@@ -66,6 +78,18 @@ class Extender {
   Csr<Index> weak_at_;
   std::vector<Index> valence_;  // #V  features at the vertex
 };
+
+/// Those with which a chain does not stand out any more go again.
+void drop_rough(const SurfaceMesh& mesh, std::span<const double> angles,
+                const FeatureOptions& options, const std::vector<Extension>& extensions,
+                SurfaceFeatures& features) {
+  const SharpChains chains(mesh, angles, options.angle, features);
+  Extension rough;
+  for (const Extension& one : extensions)
+    if (chains.is_rough(chains.through(one[0]), false))
+      rough.insert(rough.end(), one.begin(), one.end());
+  for (const Index edge : rough) features.kind[edge] = FeatureKind::smooth;
+}
 
 }  // namespace
 
@@ -106,7 +130,8 @@ void extend_sharp_chains(const SurfaceMesh& mesh, std::span<const double> angles
     if (!chains.is_rough(chain, true))
       clean.insert(clean.end(), chain.edges.begin(), chain.edges.end());
   }
-  Extender(mesh, options, weak, features).extend(clean);
+  drop_rough(mesh, angles, options, Extender(mesh, options, weak, features).extend(clean),
+             features);
 }
 
 }  // namespace lpq

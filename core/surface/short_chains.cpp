@@ -22,15 +22,20 @@ class ChainFilter {
         size_(size),
         options_(options),
         features_(features),
-        chains_(mesh, angles, options.angle, features) {}
+        chains_(mesh, angles, options.angle, features),
+        length_at_first_(features.kind.size(), 0) {}
 
   void run() {
     std::vector<char> seen(features_.kind.size());
     for (Index i = 0; i < features_.edges.count(); ++i) {
       if (seen[i] || features_.kind[i] != FeatureKind::sharp) continue;
       const SharpChain chain = chains_.through(i);
-      for (const Index edge : chain.edges) seen[edge] = 1;
-      queue_.push({sizes(chain), i});
+      const double length = sizes(chain);
+      for (const Index edge : chain.edges) {
+        seen[edge] = 1;
+        length_at_first_[edge] = length;
+      }
+      queue_.push({length, i});
     }
     while (!queue_.empty()) {
       const auto [length, edge] = queue_.top();
@@ -41,14 +46,24 @@ class ChainFilter {
 
  private:
   void judge(double length, Index edge) {
-    const SharpChain chain = chains_.through(edge);
+    SharpChain chain = chains_.through(edge);
     const double now = sizes(chain);
     if (now > length) {
       queue_.push({now, edge});
-    } else if (is_noise(chain, length)) {
-      chains_.remove(chain);
-      for (const Index v : {chain.vertices.front(), chain.vertices.back()}) ask(v);
+      return;
     }
+    if (length >= options_.shortest_stub || !is_stub(chain)) keep_sound(chain);
+    if (chain.edges.empty()) return;
+    chains_.remove(chain);
+    for (const Index v : {chain.vertices.front(), chain.vertices.back()}) ask(v);
+  }
+
+  /// Takes off its edges those that stay. Noise joins up where its side branches are gone: of a
+  /// rough chain only what was long enough before.
+  void keep_sound(SharpChain& chain) const {
+    const bool rough = chains_.is_rough(chain, false);
+    std::erase_if(chain.edges,
+                  [&](Index i) { return !rough || length_at_first_[i] >= options_.shortest; });
   }
 
   /// What has become a loose end.
@@ -57,11 +72,6 @@ class ChainFilter {
     const Index edge = chains_.feature_at(v);
     if (features_.kind[edge] == FeatureKind::sharp)
       queue_.push({sizes(chains_.through(edge)), edge});
-  }
-
-  bool is_noise(const SharpChain& chain, double sizes) const {
-    return sizes < options_.shortest &&
-           ((sizes < options_.shortest_stub && is_stub(chain)) || chains_.is_rough(chain, false));
   }
 
   /// A side branch: from a loose end to where three or more features meet.
@@ -88,6 +98,8 @@ class ChainFilter {
   const FeatureOptions& options_;
   SurfaceFeatures& features_;
   SharpChains chains_;
+  std::vector<double>
+      length_at_first_;  // #E  length in mesh sizes of the chain that an edge was on
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue_;
 };
 

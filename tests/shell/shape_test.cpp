@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "base/rng.h"
 #include "catch.h"
@@ -14,10 +15,12 @@
 #include "shell/place.h"
 #include "shell/quality.h"
 #include "shell/shape/freedom.h"
+#include "shell/shape/outside.h"
 #include "shell/shape/smoother.h"
 #include "support/surface_meshes.h"
 #include "support/surface_shapes.h"
 #include "surface/curves.h"
+#include "surface/repair.h"
 
 using namespace lpq;
 using namespace lpq_test;
@@ -109,8 +112,8 @@ constexpr double groove_angle = 12 * turn / 360;  // on each side of the x axis
 /// A disc with a groove between two creases that leave its middle at 24 degrees; beside the groove
 /// it is up to `roughness` high.
 SurfaceSoup grooved_disc(double roughness) {
-  constexpr int in = 4, out = 28, rounds = 10;
-  constexpr double depth[in] = {0, 0.1166, 0.1466, 0.1166};
+  constexpr int in = 6, out = 28, rounds = 10;
+  constexpr double depth[in] = {0, 0.121, 0.161, 0.167, 0.161, 0.121};
   SurfaceSoup soup;
   soup.group_names = {""};
   soup.points.push_back({0, 0, 0});
@@ -302,6 +305,37 @@ TEST_CASE("a straight corner that cannot move gets other quads") {
   CHECK(shell_quality(mesh).eta_min > 0.4);
 }
 
+TEST_CASE("a quad that is nearest to the other side of a sheet is turned") {
+  // A pyramid, and under it a square that looks down; the quad between their corners looks up.
+  SurfaceSoup soup;
+  soup.group_names = {""};
+  for (const double z : {0.0, -0.1})
+    for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
+      soup.points.push_back({1.0 * x, 1.0 * y, z});
+  soup.points.push_back({0, 0, 1});
+  for (Index k = 0; k < 4; ++k) soup.triangles.push_back({k, (k + 1) % 4, 8});
+  const auto turned = [](const SurfaceSoup& sheets) {
+    const SurfaceMesh surface = repair_surface(sheets)->mesh;
+    const std::vector<double> size(surface.points.size(), 1);
+    const SurfaceFeatures features = find_features(surface, size, {.angle = 180});
+    const Outside outside(surface, features, size);
+    ShellMesh mesh;
+    for (Index k = 0; k < 4; ++k) {
+      mesh.places.push_back({k, {1, 0, 0}});
+      mesh.points.push_back(point_at(surface, mesh.places.back()));
+    }
+    mesh.faces.push_back({0, 1, 2, 3});
+    mesh.face.push_back(0);
+    CHECK(outside.at(mesh, 0).z == Approx(1));
+    CHECK(outside.flatness(mesh, 0) == Approx(std::sqrt(0.5)));
+    return outside.is_turned(mesh, 0);
+  };
+  CHECK(!turned(soup));
+  soup.triangles.push_back({4, 6, 5});
+  soup.triangles.push_back({4, 7, 6});
+  CHECK(turned(soup));
+}
+
 TEST_CASE("tips that the mesh cuts off are reached") {
   // A ball with a spine that is narrower than a quad.
   SurfaceMesh surface = sphere(12);
@@ -334,7 +368,7 @@ TEST_CASE("acute corners of noise move along a crease, those of clean creases st
     INFO("eta " << shell_quality(outcome.mesh).eta_min << " moved " << length(nearest));
     CHECK(outcome.report.shape.eased == (rough ? 1 : 0));
     CHECK((length(nearest) > 0) == rough);
-    CHECK(length(nearest) < 0.2 * h * (1 + 1e-9));
+    CHECK(length(nearest) < 0.23 * h * (1 + 1e-9));
     CHECK(std::abs(nearest.z) < 1e-12);
     CHECK(std::abs(nearest.y) ==
           Approx(nearest.x * std::sin(groove_angle) / std::cos(groove_angle)).margin(1e-12));

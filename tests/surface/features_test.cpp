@@ -91,6 +91,26 @@ TEST_CASE("a chain goes on while it is less sharp, and ends where it is smooth")
   CHECK(fading < 8);
 }
 
+TEST_CASE("a chain goes on only while it stands out from the surface beside it") {
+  constexpr int n = 20;
+  Rng rng(3);
+  std::vector<double> bumps((n + 1) * (n + 1));
+  for (double& z : bumps) z = rng.between(-1, 1);
+  const auto sharp_with = [&](double height) {
+    // Sharp in one half; in the other weak, and uneven beside it.
+    const SurfaceMesh mesh = mesh_of(sheet_soup(n, [&](int i, int j) {
+      const bool second = j > n / 2, beside = i != n / 2;
+      return (second && beside ? height * bumps[(n + 1) * i + j] : 0) -
+             (second ? 0.3 : 0.5) * std::min(std::abs(i - n / 2), 2);
+    }));
+    return count_of(features_of(mesh), FeatureKind::sharp);
+  };
+  CHECK(sharp_with(0) == n);
+  const Index uneven = sharp_with(0.2);
+  CHECK(uneven >= n / 2 - 1);
+  CHECK(uneven < 3 * n / 4);
+}
+
 TEST_CASE("small bumps are noise, unless they touch something hard") {
   const auto bump = [](int at) {
     return mesh_of(sheet_soup(20, [at](int i, int j) { return i == at && j == 10 ? 1.0 : 0.0; }));
@@ -268,6 +288,30 @@ TEST_CASE("noise takes no edge from a box, however large the mesh") {
     CHECK(count_of(features, FeatureKind::sharp) == 72);
     CHECK(features.face_count == 6);
   }
+}
+
+TEST_CASE("of a rough chain between side branches only long pieces are kept") {
+  constexpr int n = 40;
+  Rng rng(5);
+  std::vector<double> bumps((n + 1) * (n + 1));
+  for (double& z : bumps) z = rng.between(-0.14, 0.14);
+  // A spike beside the crease at every `gap` has sharp edges that end at it.
+  const auto on_crease = [&](int gap) {
+    const SurfaceMesh mesh = mesh_of(sheet_soup(n, [&](int i, int j) {
+      const bool spike = i == n / 2 + 1 && j % gap == gap / 2;
+      return bumps[(n + 1) * i + j] - 0.6 * std::abs(i - n / 2) + (spike ? 1.2 : 0);
+    }));
+    const auto features = features_of(mesh);
+    Index count = 0;
+    for (Index i = 0; i < features.edges.count(); ++i) {
+      const auto& [a, b] = features.edges.ends[i];
+      const bool along = mesh.points[a].x == n / 2 && mesh.points[b].x == n / 2;
+      count += along && features.kind[i] == FeatureKind::sharp;
+    }
+    return count;
+  };
+  CHECK(on_crease(10) >= 30);
+  CHECK(on_crease(4) <= 15);
 }
 
 TEST_CASE("a crease on an uneven surface is kept whole if it is long for the mesh size") {

@@ -113,7 +113,7 @@ export interface SurfaceReport {
   shapeRefills: number;
   /** Vertices put on tips of the surface that quads would cut off. */
   tipsReached: number;
-  /** Corners between creases of noise that moved on along one of them, by a fifth of the size at most. */
+  /** Corners between creases of noise that moved on along one of them, by less than a quarter of the size. */
   cornersMoved: number;
   targetSize: number;
   /** Fingerprint of points and faces, 16 hexadecimal digits: equal meshes, equal hashes. */

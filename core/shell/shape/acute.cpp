@@ -15,9 +15,9 @@ namespace {
 constexpr double fair = 0.3;         // eta that the poor quad must get
 constexpr double poor = 0.32;        // eta of quads that corners move for, until they are that good
 constexpr int rings = 3;             // that may move
-constexpr double furthest = 0.2;     // of the mesh size
+constexpr double furthest = 0.23;    // of the mesh size: farther, the crease is lost at its end
 constexpr int steps = 8;             // on the way there
-constexpr double least_gain = 0.02;  // eta
+constexpr double least_gain = 0.02;  // eta, from fair on
 constexpr double slack = 0.01;       // eta that the worst quad of a patch may lose
 constexpr int most_corners = 50;     // tried: where more are poor, it is not for their corners
 
@@ -105,14 +105,15 @@ class CornerEaser {
     ShapePatch best = patch;
     ShapePatch moved = patch;
     const auto before = ShapeSmoother(ground_, patch.roles, options_, moved.mesh).verdict();
-    smooth_patch(ground_, options_, moved);
-    double eta = std::max(worst_at(patch, v), worst_at(moved, v)) + least_gain;
+    smooth_patch(ground_, options_, moved, evenness);
+    double eta = std::max(worst_at(patch, v), worst_at(moved, v));
+    eta = eta < fair ? fair : eta + least_gain;
     const double step = furthest / steps * ground_.size_at(patch.mesh.places[v]);
     for (int k = 1; k <= steps && eta < poor; ++k)
       for (const TrackPosition& end : creases) {
         moved = patch;
         if (!put_on(end, k * step, v, moved)) continue;
-        const auto now = smooth_patch(ground_, options_, moved);
+        const auto now = smooth_patch(ground_, options_, moved, evenness);
         if (now.tangled > before.tangled || now.worst < before.worst - slack) continue;
         if (signed_eta(ground_, moved.mesh, f) < fair || worst_at(moved, v) < eta) continue;
         eta = worst_at(moved, v);
@@ -155,7 +156,14 @@ class CornerEaser {
 
 Index ease_corners(const Charted& charted, const ShapeGround& ground, const SmoothOptions& options,
                    ShellMesh& mesh, std::vector<VertexRole>& roles) {
-  return CornerEaser(charted, ground, options, mesh, roles).run();
+  const ShellMesh mesh_before = mesh;
+  const std::vector<VertexRole> roles_before = roles;
+  const Index eased = CornerEaser(charted, ground, options, mesh, roles).run();
+  if (eased == 0 || ShapeSmoother(ground, roles, options, mesh).verdict().worst >= fair)
+    return eased;
+  mesh = mesh_before;
+  roles = roles_before;
+  return 0;
 }
 
 }  // namespace lpq

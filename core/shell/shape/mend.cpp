@@ -87,7 +87,7 @@ class Mender::Run {
     ShapePatch patch = take_patch(mesh_, roles_, stars_, faces_around(f, smoothed_rings));
     ShapeSmoother smoother(ground_, patch.roles, options_, patch.mesh);
     const Verdict before = smoother.verdict();
-    smoother.descend_eta(smoother.part_above(least_moved), eta_steps, eta_tolerance);
+    smoother.descend_eta(smoother.part_above(least_moved), eta_steps, eta_tolerance, evenness);
     if (!is_better(smoother.verdict(), before, 0)) return;
     patch.roles = smoother.freedom().roles();
     put_back(patch, mesh_, roles_);
@@ -115,7 +115,8 @@ class Mender::Run {
   void mend(Index f, bool refill) {
     ShapePatch best = take_patch(mesh_, roles_, stars_, faces_around(f, rings));
     std::vector<ShapePatch> tries;
-    if (refill) tries = refills(ground_, best, index_of(f, best.faces));
+    if (refill || signed_eta(ground_, mesh_, f) < 0)
+      tries = refills(ground_, best, index_of(f, best.faces));
     Verdict least = verdict(best);
     bool better = false;
     ShapePatch moved = best;
@@ -160,15 +161,15 @@ double Mender::share() const { return run_->share(); }
 const MendStats& Mender::stats() const { return run_->stats(); }
 
 ShapeSmoother::Verdict smooth_patch(const ShapeGround& ground, const SmoothOptions& options,
-                                    ShapePatch& patch) {
+                                    ShapePatch& patch, double area_factor) {
   ShapeSmoother smoother(ground, patch.roles, options, patch.mesh);
-  if (smoother.verdict().tangled > 0) smoother.untangle(smoother.part_above(-1));
+  if (smoother.verdict().worst < 0) smoother.untangle(smoother.part_above(-1));
   // Steps are short where sides are: sides that nearly vanished grow round by round.
   for (int round = 0; round < mean_ratio_rounds; ++round) {
     smoother.descend_mean_ratio(smoother.part_above(0), mean_ratio_steps, 0);
     if (!has_short_side(patch.mesh)) break;
   }
-  smoother.descend_eta(smoother.part_above(0), eta_steps, eta_tolerance);
+  smoother.descend_eta(smoother.part_above(0), eta_steps, eta_tolerance, area_factor);
   patch.roles = smoother.freedom().roles();
   return smoother.verdict();
 }

@@ -12,7 +12,7 @@ namespace lpq {
 
 /// Moves the vertices of a patch to where they are best, from anywhere.
 ShapeSmoother::Verdict smooth_patch(const ShapeGround& ground, const SmoothOptions& options,
-                                    ShapePatch& patch);
+                                    ShapePatch& patch, double area_factor = 1);
 
 struct MendStats {
   Index moved = 0;     // patches that became better as they were
@@ -26,9 +26,9 @@ class Mender {
          std::vector<VertexRole>& roles);
   ~Mender();
 
-  /// Mends a seed: a quad with eta below `bound`, or not strictly convex. What is accepted has
-  /// fewer tangled quads, or as many and less eta energy and no worse eta. False once there is none
-  /// left and the mesh is whole.
+  /// Mends a seed: a quad with eta below `bound`, or tangled; by other quads there if it is, or if
+  /// `refill`. What is accepted has fewer tangled quads, or as many and less eta energy and no
+  /// worse eta. False once there is none left and the mesh is whole.
   bool mend_next(double bound, bool refill);
 
   /// Eta descent on one of the overlapping patches that cover the mesh, for when a step that is

@@ -9,6 +9,11 @@
 namespace lpq {
 namespace {
 
+// Flatness above which no quad can be turned.
+constexpr double flat = 0.9;
+// Weights in triangles below are taken for zero.
+constexpr double on_side = 1e-9;
+
 Csr<Index> triangles_at_vertices(const SurfaceMesh& mesh) {
   Csr<Index> result;
   result.offsets.assign(mesh.points.size() + 1, 0);
@@ -37,6 +42,20 @@ double least_inward(const SurfaceMesh& mesh, const SurfacePlace& place, Vec3 way
   return least;
 }
 
+/// Where in the triangle p, a point of it, lies.
+SurfacePlace place_in(const SurfaceMesh& mesh, Index triangle, Vec3 p) {
+  const Tri& t = mesh.triangles[triangle];
+  const auto at = [&](int k) { return mesh.points[t[k % 3]]; };
+  const Vec3 normal = cross(at(1) - at(0), at(2) - at(0));
+  const double whole = squared_length(normal);
+  SurfacePlace place{triangle, {1, 0, 0}};
+  for (int k = 0; k < 3 && whole > 0; ++k) {
+    const double weight = dot(cross(at(k + 2) - at(k + 1), p - at(k + 1)), normal) / whole;
+    place.weight[k] = weight < on_side ? 0 : weight;
+  }
+  return place;
+}
+
 }  // namespace
 
 Outside::Outside(const SurfaceMesh& surface, const SurfaceFeatures& features,
@@ -44,7 +63,8 @@ Outside::Outside(const SurfaceMesh& surface, const SurfaceFeatures& features,
     : surface_(surface),
       features_(features),
       normal_(triangle_normals(surface, size)),
-      triangles_(triangles_at_vertices(surface)) {}
+      triangles_(triangles_at_vertices(surface)),
+      nearest_(surface.points, surface.triangles) {}
 
 /// One for a place inside a triangle, those beside an edge, those around a vertex.
 template <class Visit>
@@ -66,14 +86,47 @@ void Outside::for_each_triangle_at(const SurfacePlace& place, Visit&& visit) con
   }
 }
 
-Vec3 Outside::at(const ShellMesh& mesh, Index f) const {
+Vec3 Outside::mean_normal(const ShellMesh& mesh, Index f) const {
   Vec3 sum{};
+  int count = 0;
   for (int k = 0; k < corner_count(mesh.faces[f]); ++k)
     for_each_triangle_at(mesh.places[mesh.faces[f][k]], [&](Index t) {
-      if (features_.face[t] == mesh.face[f]) sum += normal_[t];
+      if (features_.face[t] != mesh.face[f]) return;
+      sum += normal_[t];
+      ++count;
     });
-  const double size = length(sum);
-  return size > 0 ? (1 / size) * sum : Vec3{};
+  return count > 0 ? (1.0 / count) * sum : sum;
+}
+
+Vec3 Outside::at(const ShellMesh& mesh, Index f) const {
+  const Vec3 mean = mean_normal(mesh, f);
+  const double size = length(mean);
+  return size > 0 ? (1 / size) * mean : Vec3{};
+}
+
+double Outside::flatness(const ShellMesh& mesh, Index f) const {
+  return length(mean_normal(mesh, f));
+}
+
+bool Outside::is_turned(const ShellMesh& mesh, Index f) const {
+  const Face& face = mesh.faces[f];
+  if (face[3] == none || flatness(mesh, f) > flat) return false;
+  const auto corner = [&](int k) { return mesh.points[face[k]]; };
+  const Vec3 normal = cross(corner(2) - corner(0), corner(3) - corner(1));
+  const Vec3 middle = 0.25 * (corner(0) + corner(1) + corner(2) + corner(3));
+  int away = looks_away(middle, normal, mesh.places[face[0]].triangle);
+  for (int k = 0; k < 4; ++k)
+    away += looks_away(0.75 * corner(k) + 0.25 * middle, normal, mesh.places[face[k]].triangle);
+  return away > 2;
+}
+
+/// No triangle where the surface is nearest to p looks the way of this normal.
+bool Outside::looks_away(Vec3 p, Vec3 normal, Index hint) const {
+  const NearestTriangle::Hit hit = nearest_.find(p, hint);
+  bool away = true;
+  for_each_triangle_at(place_in(surface_, hit.triangle, hit.point),
+                       [&](Index t) { away = away && dot(normal_[t], normal) <= 0; });
+  return away;
 }
 
 SurfacePlace Outside::on_side(const SurfacePlace& place, Index face, Vec3 way) const {

@@ -1,10 +1,11 @@
-// The surface at a face of a mesh on it, on the face's own side of features: which way is out, and
-// in which triangle its corners lie.
+// The surface at a face of a mesh on it, on the face's own side of features: which way is out, how
+// much it bends there, whether the face looks the same way, and in which triangle its corners lie.
 #pragma once
 
 #include <vector>
 
 #include "base/csr.h"
+#include "shell/nearest_triangle.h"
 #include "shell/shell_mesh.h"
 #include "surface/features.h"
 
@@ -18,6 +19,13 @@ class Outside {
   /// Of length one: the mean of the surface's normals at the corners of face f. Zero where these
   /// cancel.
   Vec3 at(const ShellMesh& mesh, Index f) const;
+  /// Length of that mean: 1 where the surface is flat, less the more it bends from corner to
+  /// corner.
+  double flatness(const ShellMesh& mesh, Index f) const;
+  /// A quad that looks against the surface nearest to it, at most of five points, although it looks
+  /// the same way as the surface does at its corners: where the surface is thinner than the quad,
+  /// these may lie on two sides of it. Cost O(log #T) where the surface bends.
+  bool is_turned(const ShellMesh& mesh, Index f) const;
 
   /// The same place in that triangle of this face of the surface which lies most in direction `way`
   /// from it; as it is if there is none there.
@@ -26,11 +34,14 @@ class Outside {
  private:
   template <class Visit>
   void for_each_triangle_at(const SurfacePlace& place, Visit&& visit) const;
+  Vec3 mean_normal(const ShellMesh& mesh, Index f) const;
+  bool looks_away(Vec3 p, Vec3 normal, Index hint) const;
 
   const SurfaceMesh& surface_;
   const SurfaceFeatures& features_;
   std::vector<Vec3> normal_;  // #T
   Csr<Index> triangles_;      // #V of the surface  around it
+  NearestTriangle nearest_;
 };
 
 }  // namespace lpq

@@ -15,11 +15,12 @@ namespace lpq {
 namespace {
 
 constexpr int rounds = 3;              // of the descent over all vertices, anchored anew
+constexpr double tolerance = 1e-6;     // of that
 constexpr double guarded_floor = 0.5;  // faces better than this may fall to it
 // Faces still below (needle corners) are left alone; more of them where the descent got stuck.
 constexpr double pinned_below[] = {0.02, 0.1, 0.3};
 // Of the iterations asked for: a descent that made fewer may have got stuck somewhere.
-constexpr double stalled_share = 0.6;
+constexpr double stalled_share = 0.2;
 // Faces below are mended: before the descent over all those that would hold it up, after it those
 // that a person would see.
 constexpr double flat = 0.4, poor = 0.45;
@@ -34,7 +35,7 @@ std::vector<double> least_allowed(const ShellMesh& mesh, const std::vector<doubl
     least[f] = guarded_floor;
     for (const Index v : mesh.faces[f])
       if (v != none) least[f] = std::min(least[f], at_vertex[v]);
-    if (etas[f] < 0) least[f] = -1;
+    if (etas[f] < 0) least[f] = etas[f];
   }
   return least;
 }
@@ -67,7 +68,8 @@ class WholeDescent {
   bool step() {
     if (round_ == rounds) return false;
     if (bound_ == std::begin(pinned_below)) begin_round();
-    if (left_ > 0) left_ -= smoother_.descend_eta(smoother_.part_above(*bound_), left_);
+    if (left_ > 0)
+      left_ -= smoother_.descend_eta(smoother_.part_above(*bound_), left_, tolerance, evenness);
     if (++bound_ == std::end(pinned_below)) end_round();
     return true;
   }

@@ -10,7 +10,7 @@
 namespace lpq {
 
 struct ShapeStats {
-  Index tangled_before = 0, tangled_after = 0;  // quads that are not strictly convex
+  Index tangled_before = 0, tangled_after = 0;  // quads that are not strictly convex, or turned
   Index refilled = 0;                           // changes of connectivity
   Index reached = 0;                            // vertices put on tips of the surface
   Index eased = 0;                              // corners that moved along a crease

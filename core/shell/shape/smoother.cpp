@@ -9,9 +9,12 @@
 namespace lpq {
 namespace {
 
+constexpr double turned = -0.5;  // in place of eta
 // Of the cover term, for a quad of the largest size. With half of it the tips of surfaces with
 // features as small as quads are cut off.
 constexpr double cover_weight = 1;
+// Flatness from which quads are made even: over tips and ridges that would fold some.
+constexpr double flat = 0.93;
 constexpr int untangling_rounds = 8, untangling_steps = 25;
 constexpr double mean_ratio_tolerance = 1e-3;
 // Of the longest: angles at the ends of such a side say nothing.
@@ -36,6 +39,7 @@ double signed_eta(const ShapeGround& ground, const ShellMesh& mesh, Index f) {
   const SquaredSides sides = squared_sides(mesh, f);
   if (sides.least < vanished * vanished * sides.most) return -1;
   if (!is_strictly_convex(p, ground.outside.at(mesh, f))) return -1;
+  if (ground.outside.is_turned(mesh, f)) return turned;
   return quad_eta(p[0], p[1], p[2], p[3]);
 }
 
@@ -47,7 +51,8 @@ ShapeSmoother::ShapeSmoother(const ShapeGround& ground, std::vector<VertexRole> 
       freedom_(ground, std::move(roles), mesh),
       descent_(mesh, freedom_),
       normal_(mesh.faces.size()),
-      unit_(mesh.faces.size()) {}
+      unit_(mesh.faces.size()),
+      flat_(mesh.faces.size()) {}
 
 std::vector<double> ShapeSmoother::judge_all() const {
   std::vector<double> etas;
@@ -61,7 +66,7 @@ ShapeSmoother::Verdict ShapeSmoother::verdict() const {
   const SpaceEtaOptions options = eta_options();
   for (Index f = 0; f < static_cast<Index>(mesh_.faces.size()); ++f) {
     const double eta = judge(f);
-    if (eta < 0) ++result.tangled;
+    if (eta < 0) ++(eta == turned ? result.tangled.turned : result.tangled.nonconvex);
     result.worst = std::min(result.worst, eta);
     if (eta < 0 || mesh_.faces[f][3] == none) continue;
     SpaceQuad unused{};
@@ -113,14 +118,18 @@ double ShapeSmoother::own_unit(Index f) const {
   return sum > 0 ? 4 / sum : 0;
 }
 
-int ShapeSmoother::descend_eta(const DescentPart& part, int iterations, double tolerance) {
+int ShapeSmoother::descend_eta(const DescentPart& part, int iterations, double tolerance,
+                               double area_factor) {
   for (const Index f : part.faces) {
     normal_[f] = ground_.outside.at(mesh_, f);
     unit_[f] = target_unit(f);
+    flat_[f] = ground_.outside.flatness(mesh_, f) > flat;
   }
   const SpaceEtaOptions energy = eta_options();
+  SpaceEtaOptions even = energy;
+  even.area_weight *= area_factor;
   const auto of_face = [&](Index f, const SpaceQuad& p, SpaceQuad& gradient) {
-    return eta_energy(p, unit_[f], normal_[f], energy, gradient);
+    return eta_energy(p, unit_[f], normal_[f], flat_[f] ? even : energy, gradient);
   };
   return descent_.run(part, iterations, tolerance, of_face);
 }

@@ -6,9 +6,10 @@
 
 namespace lpq {
 
-/// Where a vertex of the surface lies far from the mesh, for the size of the quads there, a free
-/// vertex of the nearest quad is put on it and kept, and those around it move to where they are
-/// best; unless that tangles quads or leaves poor ones. Returns how many were put on tips.
+/// Where a vertex of the surface, or a place on an edge or in a triangle, lies far from the mesh
+/// for the size of the quads there, a free vertex of the nearest quad is put on it and kept, and
+/// those around it move to where they are best; unless that tangles quads or leaves poor ones.
+/// Returns how many were put on tips.
 Index reach_tips(const Charted& charted, const ShapeGround& ground, const SmoothOptions& options,
                  ShellMesh& mesh, std::vector<VertexRole>& roles);
 
