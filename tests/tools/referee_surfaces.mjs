@@ -30,7 +30,7 @@ const patience = 1200, memoryKilobytes = 4 * 1024 * 1024;
 // each other. Everything else holds on every surface.
 const budget = {
   positive_corners: 3,       // a quad over a fold smaller than itself
-  not_folded: 10,            // the same, by its mean normal
+  not_folded: 9,             // the same, by its mean normal
   input_covered: 14,         // tips and gaps smaller than a third of a quad
   features: 2,               // crossings of features nearer than a quad
   feature_gap: 2,
