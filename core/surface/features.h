@@ -47,7 +47,8 @@ struct SurfaceFeatures {
 
 /// `size` is the mesh size at each vertex (#V, > 0). Walls are features always (marks cannot open
 /// them), group borders if asked, sharp edges by angle. Short chains of them are noise where the
-/// surface beside them is about as uneven, as it is on scans (see sharp_chains.h). Chains that
+/// surface beside them is about as uneven, as it is on scans (see sharp_chains.h), and so are short
+/// pieces that become a long chain when the branches between them are gone. Chains that
 /// stand out go on, straight ahead, down to the angle's part `hysteresis` (as edges in pictures
 /// [C86]), where they still stand out then; what of them is too short for the mesh size and touches
 /// nothing hard is dropped (but never a plain closed line of eight edges or more: the rim of a

@@ -98,8 +98,7 @@ class ChainFilter {
   const FeatureOptions& options_;
   SurfaceFeatures& features_;
   SharpChains chains_;
-  std::vector<double>
-      length_at_first_;  // #E  length in mesh sizes of the chain that an edge was on
+  std::vector<double> length_at_first_;  // #E  in mesh sizes, of the chain that it was on
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue_;
 };
 

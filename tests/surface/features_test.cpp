@@ -54,6 +54,25 @@ Index sharp_edges_of(const SurfaceMesh& mesh) {
       std::count_if(angles.begin(), angles.end(), [](double angle) { return angle > 40; }));
 }
 
+/// `count` of them up to `most` up or down.
+std::vector<double> bumps_of(std::size_t count, double most, int seed) {
+  Rng rng(seed);
+  std::vector<double> bumps(count);
+  for (double& z : bumps) z = rng.between(-most, most);
+  return bumps;
+}
+
+/// Sharp edges on a line x = const.
+Index sharp_along(const SurfaceMesh& mesh, const SurfaceFeatures& features, double x) {
+  Index count = 0;
+  for (Index i = 0; i < features.edges.count(); ++i) {
+    const auto& [a, b] = features.edges.ends[i];
+    const bool along = mesh.points[a].x == x && mesh.points[b].x == x;
+    count += along && features.kind[i] == FeatureKind::sharp;
+  }
+  return count;
+}
+
 }  // namespace
 
 TEST_CASE("a box has twelve sides, eight corners and six faces") {
@@ -93,9 +112,7 @@ TEST_CASE("a chain goes on while it is less sharp, and ends where it is smooth")
 
 TEST_CASE("a chain goes on only while it stands out from the surface beside it") {
   constexpr int n = 20;
-  Rng rng(3);
-  std::vector<double> bumps((n + 1) * (n + 1));
-  for (double& z : bumps) z = rng.between(-1, 1);
+  const std::vector<double> bumps = bumps_of((n + 1) * (n + 1), 1, 3);
   const auto sharp_with = [&](double height) {
     // Sharp in one half; in the other weak, and uneven beside it.
     const SurfaceMesh mesh = mesh_of(sheet_soup(n, [&](int i, int j) {
@@ -292,46 +309,26 @@ TEST_CASE("noise takes no edge from a box, however large the mesh") {
 
 TEST_CASE("of a rough chain between side branches only long pieces are kept") {
   constexpr int n = 40;
-  Rng rng(5);
-  std::vector<double> bumps((n + 1) * (n + 1));
-  for (double& z : bumps) z = rng.between(-0.14, 0.14);
+  const std::vector<double> bumps = bumps_of((n + 1) * (n + 1), 0.14, 5);
   // A spike beside the crease at every `gap` has sharp edges that end at it.
   const auto on_crease = [&](int gap) {
     const SurfaceMesh mesh = mesh_of(sheet_soup(n, [&](int i, int j) {
       const bool spike = i == n / 2 + 1 && j % gap == gap / 2;
       return bumps[(n + 1) * i + j] - 0.6 * std::abs(i - n / 2) + (spike ? 1.2 : 0);
     }));
-    const auto features = features_of(mesh);
-    Index count = 0;
-    for (Index i = 0; i < features.edges.count(); ++i) {
-      const auto& [a, b] = features.edges.ends[i];
-      const bool along = mesh.points[a].x == n / 2 && mesh.points[b].x == n / 2;
-      count += along && features.kind[i] == FeatureKind::sharp;
-    }
-    return count;
+    return sharp_along(mesh, features_of(mesh), n / 2);
   };
   CHECK(on_crease(10) >= 30);
   CHECK(on_crease(4) <= 15);
 }
 
 TEST_CASE("a crease on an uneven surface is kept whole if it is long for the mesh size") {
-  Rng rng(5);
-  std::vector<double> bumps(21 * 21);
-  for (double& z : bumps) z = rng.between(-0.14, 0.14);
+  const std::vector<double> bumps = bumps_of(21 * 21, 0.14, 5);
   const SurfaceMesh mesh = mesh_of(
       sheet_soup(20, [&](int i, int j) { return bumps[21 * i + j] - 0.6 * std::abs(i - 10); }));
-  const auto on_crease = [&](const SurfaceFeatures& features) {
-    Index count = 0;
-    for (Index i = 0; i < features.edges.count(); ++i) {
-      const auto& [a, b] = features.edges.ends[i];
-      const bool along = mesh.points[a].x == 10 && mesh.points[b].x == 10;
-      count += along && features.kind[i] == FeatureKind::sharp;
-    }
-    return count;
-  };
   CHECK(sharp_edges_of(mesh) >= 20);
   const auto fine = features_of(mesh, 2);
-  CHECK(on_crease(fine) == 20);
+  CHECK(sharp_along(mesh, fine, 10) == 20);
   CHECK(count_of(fine, FeatureKind::sharp) == 20);
   CHECK(count_of(features_of(mesh, 2, {.angle = 180}), FeatureKind::sharp) == 0);
 }

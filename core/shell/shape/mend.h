@@ -10,7 +10,8 @@
 
 namespace lpq {
 
-/// Moves the vertices of a patch to where they are best, from anywhere.
+/// Moves the vertices of a patch to where they are best, from anywhere. `area_factor`: as for
+/// ShapeSmoother::descend_eta.
 ShapeSmoother::Verdict smooth_patch(const ShapeGround& ground, const SmoothOptions& options,
                                     ShapePatch& patch, double area_factor = 1);
 
