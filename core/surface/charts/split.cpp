@@ -70,13 +70,21 @@ Splitter::Splitter(const SurfaceMesh& mesh) {
   }
 }
 
-double Splitter::step(const Part& part, Index from, Index to, double bending) const {
-  const Index a = part.triangles[from], b = part.triangles[to];
-  return distance(centroid_[a], centroid_[b]) * (1 + bending * (1 - dot(normal_[a], normal_[b])));
+// Across every half-edge of the part; 0 where there is no other side.
+std::vector<double> Splitter::steps_of(const Part& part, double bending) const {
+  std::vector<double> steps;
+  steps.reserve(part.twins.size());
+  for (Index e = 0; e < static_cast<Index>(part.twins.size()); ++e) {
+    const Index a = part.triangles[triangle_of(e)];
+    const Index b = part.twins[e] == none ? a : part.triangles[triangle_of(part.twins[e])];
+    steps.push_back(distance(centroid_[a], centroid_[b]) *
+                    (1 + bending * (1 - dot(normal_[a], normal_[b]))));
+  }
+  return steps;
 }
 
 // Dijkstra over neighbouring triangles; where owners are set already, only inside their pieces.
-void Splitter::spread(const Part& part, double bending, Search& search) const {
+void Splitter::spread(const Part& part, std::span<const double> steps, Search& search) const {
   while (!search.queue.empty()) {
     const auto [d, t] = search.queue.top();
     search.queue.pop();
@@ -84,7 +92,7 @@ void Splitter::spread(const Part& part, double bending, Search& search) const {
     for (Index e = 3 * t; e < 3 * t + 3; ++e) {
       if (part.twins[e] == none) continue;
       const Index other = triangle_of(part.twins[e]);
-      const double there = d + step(part, t, other, bending);
+      const double there = d + steps[e];
       if (!(there < search.distance[other])) continue;
       search.distance[other] = there;
       search.owner[other] = search.owner[t];
@@ -94,7 +102,7 @@ void Splitter::spread(const Part& part, double bending, Search& search) const {
 }
 
 // In each piece the triangle farthest from its border.
-std::vector<Index> Splitter::centres(const Part& part, double bending,
+std::vector<Index> Splitter::centres(const Part& part, std::span<const double> steps,
                                      const std::vector<Index>& owner, std::size_t pieces) const {
   Search search(part.triangle_count());
   for (Index e = 0; e < static_cast<Index>(part.twins.size()); ++e) {
@@ -102,7 +110,7 @@ std::vector<Index> Splitter::centres(const Part& part, double bending,
     if (search.owner[t] == none && (twin == none || owner[triangle_of(twin)] != owner[t]))
       search.start(t, owner[t]);
   }
-  spread(part, bending, search);
+  spread(part, steps, search);
   std::vector<Index> centre(pieces, none);
   for (Index t = 0; t < part.triangle_count(); ++t) {
     if (owner[t] == none) continue;
@@ -119,25 +127,26 @@ std::vector<Index> Splitter::far_pieces(const Part& part, Index pieces, double b
       if (search.distance[t] < infinite && search.distance[t] > search.distance[best]) best = t;
     return best;
   };
+  const std::vector<double> steps = steps_of(part, bending);  // asked for up to nine times
   Search first(part.triangle_count());
   first.start(0, 0);
-  spread(part, bending, first);
+  spread(part, steps, first);
   std::vector<Index> seeds{farthest(first)};
   Search search(part.triangle_count());
   search.start(seeds[0], 0);
-  spread(part, bending, search);
+  spread(part, steps, search);
   while (static_cast<Index>(seeds.size()) < pieces) {
     seeds.push_back(farthest(search));
     search.start(seeds.back(), static_cast<Index>(seeds.size()) - 1);
-    spread(part, bending, search);
+    spread(part, steps, search);
   }
   for (int i = 0; i < recentrings; ++i) {
-    std::vector<Index> better = centres(part, bending, search.owner, seeds.size());
+    std::vector<Index> better = centres(part, steps, search.owner, seeds.size());
     if (better == seeds || std::count(better.begin(), better.end(), none) > 0) break;
     seeds = std::move(better);
     search = Search(part.triangle_count());
     for (std::size_t s = 0; s < seeds.size(); ++s) search.start(seeds[s], static_cast<Index>(s));
-    spread(part, bending, search);
+    spread(part, steps, search);
   }
   smooth_labels(part, pieces, search.owner);
   return std::move(search.owner);

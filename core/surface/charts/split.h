@@ -24,10 +24,10 @@ class Splitter {
 
  private:
   struct Search;
-  double step(const Part& part, Index from, Index to, double bending) const;
-  void spread(const Part& part, double bending, Search& search) const;
-  std::vector<Index> centres(const Part& part, double bending, const std::vector<Index>& owner,
-                             std::size_t pieces) const;
+  std::vector<double> steps_of(const Part& part, double bending) const;
+  void spread(const Part& part, std::span<const double> steps, Search& search) const;
+  std::vector<Index> centres(const Part& part, std::span<const double> steps,
+                             const std::vector<Index>& owner, std::size_t pieces) const;
 
   std::vector<Vec3> centroid_, normal_;  // #T of the surface
 };
