@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "shell/ball.h"
+#include "shell/coarse_ground.h"
 #include "shell/place.h"
 #include "shell/rework.h"
 #include "shell/window.h"
@@ -38,16 +39,20 @@ std::vector<char> barrier_of(const Charted& charted) {
 class SeamFinisher::Run {
  public:
   Run(const Charted& charted, const Options& options, ShellMesh mesh)
-      : charted_(charted),
+      : coarse_(wants_coarse_ground(charted) ? std::make_unique<CoarseGround>(charted) : nullptr),
+        charted_(coarse_ ? coarse_->charted() : charted),
         options_(options),
         mesh_(std::move(mesh)),
-        barrier_(barrier_of(charted)),
-        balls_(charted.mesh, barrier_),
-        windows_(charted.mesh, charted.cross, charted.size),
+        barrier_(barrier_of(charted_)),
+        balls_(charted_.mesh, barrier_),
+        windows_(charted_.mesh, charted_.cross, charted_.size),
         wanted_(mesh_.points.size(), 0),
         rim_(mesh_.points.size(), 0),
         seed_(options.seed) {
     for (std::size_t v = 0; v < charted_.nodes.points.size(); ++v) wanted_[v] = !mesh_.pinned[v];
+    if (!coarse_) return;
+    before_ = mesh_;
+    coarse_->lower(mesh_);
   }
 
   /// One window after the other over the vertices that want one.
@@ -72,7 +77,10 @@ class SeamFinisher::Run {
     return (pass_ + of_pass) / passes;
   }
   const SeamStats& stats() const { return stats_; }
-  ShellMesh take() { return std::move(mesh_); }
+  ShellMesh take() {
+    if (coarse_) coarse_->raise(before_, mesh_);
+    return std::move(mesh_);
+  }
 
  private:
   void end_pass() {
@@ -168,9 +176,11 @@ class SeamFinisher::Run {
       for (Index& v : edge) v = number[v];
   }
 
-  Charted charted_;
+  std::unique_ptr<CoarseGround> coarse_;  // where the surface is too fine
+  Charted charted_;                       // on the coarse ground, if there is one
   Options options_;
   ShellMesh mesh_;
+  ShellMesh before_;           // with places on the fine surface; empty where that is the ground
   std::vector<char> barrier_;  // #half-edges
   BallFinder balls_;
   WindowMaker windows_;

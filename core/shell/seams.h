@@ -17,7 +17,8 @@ struct SeamStats {
 };
 
 /// Frees the nodes on cuts and remeshes around them, and around irregular vertices: in steps of one
-/// window.
+/// window. On surfaces much finer than the mesh all that happens on a coarse ground
+/// (coarse_ground.h), so that windows do not cost more there than elsewhere.
 class SeamFinisher {
  public:
   /// What `charted` refers to must stay as it is until the end.
