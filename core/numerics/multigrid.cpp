@@ -12,8 +12,8 @@ namespace lpq {
 namespace {
 
 constexpr Index most_rows = 400;  // that are solved for at once
-constexpr double least_gain =
-    0.8;  // rows left of those there were; else grouping has come to an end
+// Rows left of those there were: with more, grouping has come to an end.
+constexpr double most_left = 0.8;
 constexpr double correction = 1.8;  // factor, for groups of four in the plane
 constexpr double strong = 0.25;     // of a row's largest coupling
 constexpr int group_size = 4;
@@ -137,7 +137,7 @@ Cycle::Cycle(SparseRows a) {
     Level& last = levels_.back();
     Index count = 0;
     last.group = groups_of(last.a, count);
-    if (count > least_gain * last.a.count()) return;
+    if (count > most_left * last.a.count()) return;
     SparseRows next = grouped(last.a, last.group, count);
     levels_.push_back({std::move(next), {}, {}, {}});
   }

@@ -10,11 +10,10 @@ namespace lpq {
 
 struct CoarseSurface {
   SurfaceMesh mesh;
-  std::vector<char> feature;  // #half-edges of `mesh`
-  std::vector<Index> vertex;  // #V of `mesh`  of the surface given: nothing moves
-  std::vector<Index>
-      triangle;             // #T of `mesh`  one of the surface given, of the same face and group
-  std::vector<Index> home;  // #V of the surface given: the vertex of `mesh` that it went into
+  std::vector<char> feature;    // #half-edges of `mesh`
+  std::vector<Index> vertex;    // #V of `mesh`  of the surface given: nothing moves
+  std::vector<Index> triangle;  // #T of `mesh`  one of the surface given: same face and group
+  std::vector<Index> home;      // #V of the surface given: the vertex of `mesh` that it went into
 };
 
 /// Vertices inside faces go into neighbours, in passes over all of them and never two neighbours in

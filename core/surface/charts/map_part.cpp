@@ -15,6 +15,9 @@ namespace {
 constexpr double early_margin = 1.5;
 // The iterations of the last resort are for small parts; large ones are split.
 constexpr Index most_iterated_triangles = 2000;
+// The same for the dear factors of spectral maps: where two maps have turned a few of very many
+// triangles over, this one mostly does as well.
+constexpr Index most_spectral_triangles = 100'000;
 
 // A map that keeps the lengths of the border has no more room inside than a circle of that length.
 bool too_domed(const SurfaceMesh& mesh, const Part& part, double range) {
@@ -67,7 +70,8 @@ bool Attempt::solve(MapMethod method, const Intrinsic& disk) {
       return outcome == MapOutcome::mapped;
     }
     case MapMethod::lscm: return map_lscm(mesh_, part_, disk, map_.uv);
-    case MapMethod::scp: return map_scp(part_, disk, map_.uv);
+    case MapMethod::scp:
+      return part_.triangle_count() <= most_spectral_triangles && map_scp(part_, disk, map_.uv);
     case MapMethod::symmetric_dirichlet:
       return map_.verdict == Verdict::flipped &&
              part_.triangle_count() <= most_iterated_triangles &&
