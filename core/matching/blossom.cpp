@@ -14,7 +14,9 @@ namespace {
 // Up to this cost 32 bits are tried first: potentials rarely exceed some hundred costs, and half
 // the memory traffic saves about a fifth of the time. Beyond their range the work is redone in 64
 // bits.
+#ifndef LPQ_WIDE_POTENTIALS_ONLY
 constexpr std::int64_t narrow_cost = std::int64_t{1} << 20;
+#endif
 
 bool valid(Index node_count, std::span<const CostEdge> edges, std::int64_t& largest) {
   const std::int64_t bound = max_matching_cost(node_count);
@@ -53,10 +55,12 @@ Matching min_cost_perfect_matching(Index node_count, std::span<const CostEdge> e
     return result;
   }
   const std::vector<Index> new_id = compact_order(node_count, edges);
+#ifndef LPQ_WIDE_POTENTIALS_ONLY
   if (largest <= narrow_cost &&
       solve_with<std::int32_t>(node_count, edges, new_id, options, result)) {
     return result;
   }
+#endif
   const bool done = solve_with<std::int64_t>(node_count, edges, new_id, options, result);
   LPQ_ASSERT(done);
   static_cast<void>(done);
