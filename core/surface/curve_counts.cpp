@@ -12,6 +12,7 @@ namespace lpq {
 namespace {
 
 constexpr Index fewest_of_closed = 4;
+constexpr Index fewest_in_ring = 6;  // a square's sides would be off by more than narrow quads bear
 // Of the steps on both sides; a third more on one than on the other.
 constexpr double most_difference = 0.15;
 constexpr double most_in_ring = 0.3;  // of small circles
@@ -61,6 +62,14 @@ void divide_small_triangles(const SurfaceCurves& curves, Index face_count,
     for (const Index c : sides) most = std::max({most, fewest[c], rounded(steps[c])});
     if (sides.size() != 3 || most > 2) continue;
     for (const Index c : sides) fewest[c] = std::max<Index>(fewest[c], 2);
+  }
+}
+
+void divide_narrow_rings(const CountSums& sums, std::vector<Index>& fewest) {
+  for (Index s = 0; s < sums.terms.rows(); ++s) {
+    if (!sums.between_circles[s]) continue;
+    for (const CountTerm& term : sums.terms.row(s))
+      if (fewest[term.curve] == fewest_of_closed) fewest[term.curve] = fewest_in_ring;
   }
 }
 
@@ -222,6 +231,7 @@ std::vector<Index> curve_counts(const SurfaceCurves& curves, Index face_count,
                                 std::span<const double> steps, const CountSums& sums) {
   std::vector<Index> fewest = fewest_edges(curves, steps);
   divide_small_triangles(curves, face_count, steps, fewest);
+  divide_narrow_rings(sums, fewest);
   std::vector<Index> counts(fewest.size());
   std::vector<CountWish> wishes(fewest.size());
   for (Index c = 0; c < curves.count(); ++c) {

@@ -121,7 +121,7 @@ TEST_CASE("the charts of a surface are written on request") {
                  "written twice"));
 }
 
-TEST_CASE("threads make the same file") {
+TEST_CASE("threads make the same file", "[slow]") {
   const ScratchFolder folder("surface_threads");
   const std::string box = folder.write("box.stl", box_stl());
   std::string alone;

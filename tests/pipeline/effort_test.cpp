@@ -30,7 +30,7 @@ double merit(const Outcome& outcome) {
 
 }  // namespace
 
-TEST_CASE("high effort never ends with a worse mesh than normal effort") {
+TEST_CASE("high effort never ends with a worse mesh than normal effort", "[slow]") {
   int better = 0;
   for (const DomainInput& input : {disc(0.06), disc(0.1), plate_with_hole(0.06), hood(0.07)})
     for (const std::uint64_t seed : {1, 2}) {
@@ -45,7 +45,7 @@ TEST_CASE("high effort never ends with a worse mesh than normal effort") {
   CHECK(better > 0);
 }
 
-TEST_CASE("the last of the quads recorded are those of the result") {
+TEST_CASE("the last of the quads recorded are those of the result", "[slow]") {
   for (const DomainInput& input : {disc(0.1), hood(0.07), square(1, 0.1)})
     for (const int iterations : {-1, 10}) {
       Options options = high;

@@ -95,7 +95,7 @@ TEST_CASE("quads of a disc follow strokes") {
   check_followed(input, arc({0, -0.5}, 0.55));
 }
 
-TEST_CASE("quads of a plate with a hole follow strokes") {
+TEST_CASE("quads of a plate with a hole follow strokes", "[slow]") {
   const DomainInput input = plate_with_hole(0.1);
   check_followed(input, {{1.1, 0.2}, {1.7, 0.8}});
   check_followed(input, {{1.1, 0.35}, {1.8, 0.65}});

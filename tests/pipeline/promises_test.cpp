@@ -180,7 +180,7 @@ TEST_CASE("sizes that differ by twenty keep shapes, and shapes keep sizes") {
   CHECK(outcome->report.size.min > 0.2);
 }
 
-TEST_CASE("sizes grow gently, but not at any price") {
+TEST_CASE("sizes grow gently, but not at any price", "[slow]") {
   const DomainInput plate = domain_of({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
   const auto quads = [&](double finest, double growth) {
     UserFields user;

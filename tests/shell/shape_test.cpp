@@ -14,6 +14,7 @@
 #include "shell/mesh_surface.h"
 #include "shell/place.h"
 #include "shell/quality.h"
+#include "shell/shape/cover.h"
 #include "shell/shape/freedom.h"
 #include "shell/shape/outside.h"
 #include "shell/shape/smoother.h"
@@ -336,6 +337,20 @@ TEST_CASE("a quad that is nearest to the other side of a sheet is turned") {
   CHECK(turned(soup));
 }
 
+TEST_CASE("gaps are told in sides of the nearest quad, at a vertex in those of the smallest") {
+  ShellMesh mesh;  // a square of side 2 and one of side 1, which share a corner
+  mesh.points = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {3, 2, 0}, {3, 3, 0}, {2, 3, 0}};
+  mesh.faces = {{0, 1, 2, 3}, {2, 4, 5, 6}};
+  const Cover cover(mesh);
+  CHECK(cover.at({0.5, 1, 1}).face == 0);
+  CHECK(cover.at({0.5, 1, 1}).distance == Approx(0.5));
+  CHECK(cover.at({2.5, 2.5, 1}).distance == Approx(1));
+  for (const Index hint : {0, 1}) {
+    CHECK(cover.at({2, 2, 1}, hint).face == 1);
+    CHECK(cover.at({2, 2, 1}, hint).distance == Approx(1));
+  }
+}
+
 TEST_CASE("tips that the mesh cuts off are reached") {
   // A ball with a spine that is narrower than a quad.
   SurfaceMesh surface = sphere(12);
@@ -351,6 +366,9 @@ TEST_CASE("tips that the mesh cuts off are reached") {
       points.begin(), points.end(), 1.0,
       [&](double least, Vec3 p) { return std::min(least, distance(p, surface.points[tip])); });
   CHECK(nearest < 0.3 * 0.25);
+  const Cover cover(meshed.mesh());
+  for (const PlaceToCover& at : places_to_cover(meshed.charted()))
+    CHECK(cover.at(at.point).distance < 0.35);
   CHECK(shell_quality(meshed.mesh()).nonconvex == 0);
   CHECK(shell_quality(meshed.mesh()).eta_min > 0.3);
   CHECK(is_on_surface(meshed));

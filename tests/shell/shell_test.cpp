@@ -126,7 +126,7 @@ TEST_CASE("threads change nothing, and can be told to stop") {
   CHECK(asked == 5);
 }
 
-TEST_CASE("closed surfaces are cut, meshed and made whole again") {
+TEST_CASE("closed surfaces are cut, meshed and made whole again", "[slow]") {
   for (const SurfaceMesh& mesh : {sphere(12), torus(48, 24, 1, 0.4)}) {
     SurfaceOptions options;
     options.size = std::sqrt(surface_area(mesh) / 1500);

@@ -30,13 +30,13 @@ const patience = 1200, memoryKilobytes = 4 * 1024 * 1024;
 // each other. Everything else holds on every surface.
 const budget = {
   positive_corners: 3,       // a quad over a fold smaller than itself
-  not_folded: 9,             // the same, by its mean normal
-  input_covered: 14,         // tips and gaps smaller than a third of a quad
+  not_folded: 8,             // the same, by its mean normal
+  input_covered: 11,         // tips and gaps smaller than a third of a quad
   features: 2,               // crossings of features nearer than a quad
   feature_gap: 2,
   area: 3,                   // of details smaller than a quad: 3.3 % are lost where 2 % may be
   borders: 1,                // a notch smaller than a quad
-  no_coincident_vertex: 1,   // nodes of two curves with a gap without width between them
+  no_coincident_vertex: 0,   // nodes of two curves with a gap without width between them
   edge_manifold: 1,          // circles where sheets meet, of four long chords
   topology: 1,               // parts smaller than one quad, and where chords of two curves touch
   orientation_as_input: 1,

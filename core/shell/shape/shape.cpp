@@ -189,6 +189,7 @@ class ShapeFinisher::Run {
   bool end_poor() {
     stats_.refilled += mender_->stats().refilled;
     mender_.reset();
+    stats_.reached += reach_tips(charted_, ground_, options_, mesh_, roles_);
     stats_.tangled_after = count_tangled(ground_, mesh_);
     part_ = Part::done;
     return false;
