@@ -91,8 +91,8 @@ runner.subscribe(() => {
 themes.subscribe(() => stage.invalidate());
 actions.listen(window);
 Object.assign(globalThis, { playground: app });  // for the browser's console
-addEventListener('hashchange', async () => {
-  const { project, place, notice } = await openFragment(location.hash);
+addEventListener('hashchange', async ({ newURL }) => {
+  const { project, place, notice } = await openFragment(new URL(newURL).hash);  // the address bar may follow the project by now
   if (notice) app.notify(notice);
   if (project) store.change('Open a link', project);
   if (project && place.tick !== undefined) void runner.seek(place.tick);

@@ -32,6 +32,21 @@ test('a link opens its project, and the address bar follows', async () => {
   await page.context().close();
 });
 
+test('a link opens though the address bar has followed something else meanwhile', async () => {
+  const page = await playground.open({ hash: await toFragment(small) });
+  await count(page);
+  const follow = (hash) => page.evaluate((to) => {
+    const { hash: before } = location;
+    location.hash = to;
+    history.replaceState(null, '', before);  // before the browser tells of the change
+  }, hash);
+  await follow(await toFragment({ ...square, options: { size: 0.25 } }));
+  await page.locator('.stage-name', { hasText: 'done: 16 quads' }).waitFor();
+  await follow('#data=damaged');
+  await page.locator('.notice', { hasText: 'This link could not be opened' }).waitFor();
+  await page.context().close();
+});
+
 test('a link stands at its tick', async () => {
   const page = await playground.open({ hash: '#preset=plate&tick=7' });
   await page.waitForFunction(() => document.querySelector('#tick').value === '7');

@@ -116,6 +116,19 @@ test('an option is changed, undone, and said in the address', async () => {
   await page.context().close();
 });
 
+test('a link opens though the address bar has followed something else meanwhile', async () => {
+  const page = await openSpace();
+  const { quads } = await run(page);
+  await page.evaluate(() => {
+    const { hash } = location;
+    location.hash = '#preset=saddle&size=0.15';
+    history.replaceState(null, '', hash);  // before the browser tells of the change
+  });
+  await page.waitForFunction((old) => { const { phase, result } = globalThis.playground.runner.run; return phase === 'done' && result.report.quads > old; },
+    quads, { timeout: patience });
+  await page.context().close();
+});
+
 test('a file is opened, meshed and saved', async () => {
   const page = await openSpace();
   await page.locator('input[type=file]').setInputFiles({ name: 'box.stl', mimeType: 'model/stl', buffer: Buffer.from(boxStl()) });

@@ -105,7 +105,7 @@ store.subscribe((work, before) => {
 });
 themes.subscribe(refreshPlanes);
 actions.listen(window);
-addEventListener('hashchange', () => store.change('Open a link', fromFragment(location.hash)));
+addEventListener('hashchange', ({ newURL }) => store.change('Open a link', fromFragment(new URL(newURL).hash)));
 Object.assign(globalThis, { playground: app });  // for the browser's console
 refresh();
 refreshScene();
