@@ -1,4 +1,4 @@
-// Vertices joined by edges, and values that may grow by so much only from one to the next.
+// What lies around vertices, and values that may grow by so much only from one to the next.
 #pragma once
 
 #include <cmath>
@@ -15,6 +15,9 @@ namespace lpq {
 
 /// Per vertex the other ends of its edges, in half-edge order; inner edges appear twice.
 Csr<Index> vertex_neighbours(std::span<const Tri> triangles, Index vertices);
+
+/// Per vertex the triangles at it, ascending. Cost O(#T).
+Csr<Index> triangles_at_vertices(std::span<const Tri> triangles, Index vertices);
 
 /// Lowers h so that h[w] <= h[v] + step(v, w) along every edge; infinite values are filled. Values
 /// spread in increasing order (Dijkstra), ties by index. Cost O(#V log #V).

@@ -3,22 +3,15 @@
 
 #include <algorithm>
 
+#include "mesh/neighbours.h"
 #include "shell/nearest_triangle.h"
 
 namespace lpq {
 
 NearbyPlaces::NearbyPlaces(const SurfaceMesh& mesh, std::span<const Index> face)
-    : mesh_(mesh), face_(face) {
-  std::vector<Index>& offsets = around_.offsets;
-  offsets.assign(mesh.points.size() + 1, 0);
-  for (const Tri& corners : mesh.triangles)
-    for (const Index v : corners) ++offsets[v + 1];
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) offsets[v + 1] += offsets[v];
-  around_.values.resize(offsets.back());
-  std::vector<Index> next(offsets.begin(), offsets.end() - 1);
-  for (Index t = 0; t < mesh.triangle_count(); ++t)
-    for (const Index v : mesh.triangles[t]) around_.values[next[v]++] = t;
-}
+    : mesh_(mesh),
+      face_(face),
+      around_(triangles_at_vertices(mesh.triangles, mesh.vertex_count())) {}
 
 /// Whether a nearer one was found. Those without area have no weights that tell where p is.
 bool NearbyPlaces::look_around(Vec3 p, Index face, std::span<const Index> vertices,

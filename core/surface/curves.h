@@ -45,11 +45,12 @@ using SizeAt = FunctionRef<double(Vec3)>;
 
 /// Divides every curve into equal steps of int ds/h, with 1/h linear along each edge between its
 /// vertices. A curve gets the nearest number of edges to that, a closed one an even number, at
-/// least four; a fifth or so more or fewer where opposite sides of a face then have the same; and
-/// where a face still has an odd number of edges around it, curves that bear it best get one more
-/// or fewer, so that an all-quad mesh of every face exists (4 Q = 2 E - B). Of curves
-/// with the same two ends only one may be a single edge. Nodes lie on the curve's edges exactly.
-/// `size`: of each vertex, #V. Errors: bad_size; too_many_elements. Cost O(#V + #N + #C log #C).
+/// least four, or six round a narrow ring; a fifth or so more or fewer where opposite sides of a
+/// face then have the same; and where a face still has an odd number of edges around it, curves
+/// that bear it best get one more or fewer, so that an all-quad mesh of every face exists
+/// (4 Q = 2 E - B). Of curves with the same two ends only one may be a single edge. Nodes lie on
+/// the curve's edges exactly. `size`: of each vertex, #V. Errors: bad_size; too_many_elements. Cost
+/// O(#V + #N + #C log #C).
 Result<CurveMesh> mesh_curves(const SurfaceMesh& mesh, const SurfaceFeatures& features,
                               const SurfaceCurves& curves, std::span<const double> size);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "mesh/neighbours.h"
 #include "surface/frames.h"
 #include "surface/normals.h"
 
@@ -13,19 +14,6 @@ namespace {
 constexpr double flat_enough = 0.9;
 // Weights in triangles below are taken for zero.
 constexpr double on_side = 1e-9;
-
-Csr<Index> triangles_at_vertices(const SurfaceMesh& mesh) {
-  Csr<Index> result;
-  result.offsets.assign(mesh.points.size() + 1, 0);
-  for (const Tri& t : mesh.triangles)
-    for (const Index v : t) ++result.offsets[v + 1];
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) result.offsets[v + 1] += result.offsets[v];
-  result.values.resize(3 * mesh.triangles.size());
-  std::vector<Index> next(result.offsets.begin(), result.offsets.end() - 1);
-  for (Index t = 0; t < mesh.triangle_count(); ++t)
-    for (const Index v : mesh.triangles[t]) result.values[next[v]++] = t;
-  return result;
-}
 
 /// How fast a way from a place on the border of a triangle leads inside: over the sides that the
 /// place is on, the least speed away from them.
@@ -63,7 +51,7 @@ Outside::Outside(const SurfaceMesh& surface, const SurfaceFeatures& features,
     : surface_(surface),
       features_(features),
       normal_(triangle_normals(surface, size)),
-      triangles_(triangles_at_vertices(surface)),
+      triangles_(triangles_at_vertices(surface.triangles, surface.vertex_count())),
       nearest_(surface.points, surface.triangles) {}
 
 /// One for a place inside a triangle, those beside an edge, those around a vertex.

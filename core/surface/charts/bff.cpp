@@ -17,8 +17,8 @@ constexpr double tail = 0.005;
 // Rows from which an estimate is worth it: it takes half as long as factors there, a seventh at
 // 100,000.
 constexpr Index least_estimated_rows = 10'000;
-constexpr double estimate_tolerance = 3e-3;
-// Ranges are estimated to 0.3 % at worst, seen over 65 parts with a third of that tolerance.
+constexpr double estimate_tolerance = 1e-3;
+// Ranges were estimated to 0.3 % at worst, over 65 parts.
 constexpr double estimate_margin = 1.03;
 
 class BoundaryFirst {
