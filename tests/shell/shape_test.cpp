@@ -351,6 +351,23 @@ TEST_CASE("gaps are told in sides of the nearest quad, at a vertex in those of t
   }
 }
 
+TEST_CASE("needles have no more places to cover than fit along them") {
+  constexpr double h = 0.3;
+  constexpr int sides = 240;
+  SurfaceSoup soup;  // a disc of needles
+  soup.points = {{0, 0, 0}};
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * pi * i / sides;
+    soup.points.push_back({3 * std::cos(angle), 3 * std::sin(angle), 0});
+    soup.triangles.push_back({0, i + 1, (i + 1) % sides + 1});
+  }
+  const Meshed meshed(soup, h);
+  const std::vector<PlaceToCover> places = places_to_cover(meshed.charted());
+  const int along = static_cast<int>(3 / (0.3 * h)) + 1;
+  CHECK(static_cast<int>(places.size()) > 2 * sides);
+  CHECK(static_cast<int>(places.size()) <= 1 + sides * (along + 1));  // centre, middles, rows
+}
+
 TEST_CASE("tips that the mesh cuts off are reached") {
   // A ball with a spine that is narrower than a quad.
   SurfaceMesh surface = sphere(12);
