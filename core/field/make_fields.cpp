@@ -13,6 +13,7 @@
 #include "field/cross_field.h"
 #include "field/guides.h"
 #include "field/size_field.h"
+#include "geometry/segment.h"
 #include "numerics/elementary.h"
 
 namespace lpq {
@@ -94,8 +95,21 @@ std::vector<double> asked_sizes(const TriMesh& mesh, const BoundaryMesh& boundar
   return harmonic_size(mesh, boundary);
 }
 
+// From a point to the triangle it is in (0), or beside.
+double distance_to_triangle(const TriMesh& mesh, Index t, Vec2 p) {
+  const Tri& tri = mesh.triangles[t];
+  double nearest = std::numeric_limits<double>::infinity();
+  bool inside = true;
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 a = mesh.points[tri[k]], b = mesh.points[tri[(k + 1) % 3]];
+    inside = inside && cross(b - a, p - a) >= 0;
+    nearest = std::min(nearest, distance(p, closest_point(p, a, b)));
+  }
+  return inside ? 0 : nearest;
+}
+
 // Each value given at a point holds in its triangle, so that sampling there returns it; the growth
-// limit does the rest.
+// limit does the rest. Outside the domain, where nothing is meshed, a value grows on its way in.
 void apply_samples(const TriMesh& mesh, const FieldOptions& options, std::span<double> h) {
   if (options.sizes.empty() || options.size_function) return;
   const Locator locator(mesh);
@@ -103,7 +117,8 @@ void apply_samples(const TriMesh& mesh, const FieldOptions& options, std::span<d
   for (const SizeSample& s : options.sizes) {
     const Index t = locator.find_nearest(s.position, hint);
     if (t == none) continue;
-    for (const Index v : mesh.triangles[t]) h[v] = std::min(h[v], s.h);
+    const double grown = s.h + options.growth * distance_to_triangle(mesh, t, s.position);
+    for (const Index v : mesh.triangles[t]) h[v] = std::min(h[v], grown);
   }
 }
 

@@ -6,9 +6,12 @@
 
 #include "shell/face_fans.h"
 #include "shell/nearest_triangle.h"
+#include "shell/triangle_places.h"
 
 namespace lpq {
 namespace {
+
+constexpr double sample_step = 0.25;  // of the mean side
 
 /// Points with the areas they stand for.
 struct Samples {
@@ -47,15 +50,29 @@ Samples fan_samples(const FaceFans& fans) {
   return result;
 }
 
-Samples vertex_samples(std::span<const Vec3> points, std::span<const Tri> triangles) {
+double longest_side(const std::array<Vec3, 3>& corners) {
+  const auto& [a, b, c] = corners;
+  return std::max({distance(a, b), distance(b, c), distance(c, a)});
+}
+
+/// Vertices, and places about `step` apart inside triangles that are longer.
+Samples surface_samples(std::span<const Vec3> points, std::span<const Tri> triangles, double step) {
   std::vector<double> weight(points.size(), 0);
   std::vector<char> used(points.size(), 0);
-  for (const Tri& t : triangles)
+  Samples result;
+  for (const Tri& t : triangles) {
+    const std::array<Vec3, 3> corners{points[t[0]], points[t[1]], points[t[2]]};
+    const bool large = longest_side(corners) > step;
     for (const Index v : t) {
       used[v] = 1;
-      weight[v] += area_of(points[t[0]], points[t[1]], points[t[2]]) / 3;
+      if (!large) weight[v] += area_of(corners[0], corners[1], corners[2]) / 3;
     }
-  Samples result;
+    if (!large) continue;
+    visit_places(corners, step, [&](const std::array<double, 3>& at, double area) {
+      result.points.push_back(at[0] * corners[0] + at[1] * corners[1] + at[2] * corners[2]);
+      result.weight.push_back(area);
+    });
+  }
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (!used[v]) continue;
     result.points.push_back(points[v]);
@@ -64,13 +81,28 @@ Samples vertex_samples(std::span<const Vec3> points, std::span<const Tri> triang
   return result;
 }
 
+double mean_side(const ShellMesh& mesh) {
+  double sum = 0;
+  int count = 0;
+  for (const Face& face : mesh.faces) {
+    const int n = corner_count(face);
+    for (int k = 0; k < n; ++k)
+      sum += distance(mesh.points[face[k]], mesh.points[face[(k + 1) % n]]);
+    count += n;
+  }
+  return sum / count;
+}
+
 Distance measure(const Samples& samples, const NearestTriangle& target) {
   Distance result;
   double sum = 0, weights = 0;
   Index hint = 0;
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
     const double distance = target.distance(samples.points[i], hint);
-    result.max = std::max(result.max, distance);
+    if (distance > result.max) {
+      result.max = distance;
+      result.at = samples.points[i];
+    }
     sum += samples.weight[i] * distance;
     weights += samples.weight[i];
   }
@@ -84,7 +116,9 @@ SurfaceDistance surface_distance(std::span<const Vec3> points, std::span<const T
                                  const ShellMesh& mesh) {
   const FaceFans fans = face_fans(mesh);
   const NearestTriangle surface(points, triangles), faces(fans.points, fans.triangles);
-  return {measure(fan_samples(fans), surface), measure(vertex_samples(points, triangles), faces)};
+  const double step = sample_step * mean_side(mesh);
+  return {measure(fan_samples(fans), surface),
+          measure(surface_samples(points, triangles, step), faces)};
 }
 
 }  // namespace lpq

@@ -1,4 +1,4 @@
-// How far a mesh lies from the surface it is of, both ways.
+// How far a mesh and the surface that was meshed lie from each other, both ways.
 #pragma once
 
 #include <span>
@@ -10,15 +10,16 @@ namespace lpq {
 
 struct Distance {
   double max = 0, mean = 0;  // mean over the area
+  Vec3 at;                   // where it is largest
 };
 
 struct SurfaceDistance {
   Distance to_surface;    // from the mesh: vertices, middles of edges and of faces
-  Distance from_surface;  // from the vertices of the surface
+  Distance from_surface;  // from the surface: vertices, and places a quarter of a side apart
 };
 
-/// A quad counts as the four triangles round its middle. Both need a face.
-/// Cost O((#V + #F) log #F) for either.
+/// Measured at samples: the distance between them may be a little more. A quad counts as the four
+/// triangles round its middle. Both need a face. Cost O(#samples log #F).
 SurfaceDistance surface_distance(std::span<const Vec3> points, std::span<const Tri> triangles,
                                  const ShellMesh& mesh);
 

@@ -69,6 +69,24 @@ Warning bent_quads(const ShellMesh& mesh, Index count) {
           {}};
 }
 
+/// Where the mesh cuts off more of the surface than a good quad does.
+void warn_of_distance(std::span<const double> size, ShellOutcome& outcome) {
+  constexpr double most = 0.5;  // of the size there
+  const ShellMesh& mesh = outcome.mesh;
+  const auto& [max, mean, at] = outcome.report.distance.from_surface;
+  std::size_t nearest = 0;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    if (distance(mesh.points[v], at) < distance(mesh.points[nearest], at)) nearest = v;
+  const double h = size_at(outcome.surface.triangles, mesh.places[nearest], size);
+  if (max <= most * h) return;
+  outcome.report.warnings.push_back(
+      {ErrorCode::bad_size,
+       "The mesh cuts off what is small for its size: the surface goes " + short_number(max) +
+           " from it near (" + short_number(at.x) + ", " + short_number(at.y) + ", " +
+           short_number(at.z) + "), where the size is " + short_number(h) + ". Use a smaller size.",
+       {}});
+}
+
 }  // namespace
 
 void summarise(const SurfaceFeatures& features, const SurfaceCrossField& cross,
@@ -85,6 +103,7 @@ void summarise(const SurfaceFeatures& features, const SurfaceCrossField& cross,
   report.distance = surface_distance(surface.points, surface.triangles, outcome.mesh);
   report.bodies = reports_of_bodies(outcome);
   report.hash = hash_of(outcome.mesh);
+  warn_of_distance(size, outcome);
   if (report.quality.nonconvex > 0)
     report.warnings.push_back(bent_quads(outcome.mesh, report.quality.nonconvex));
 }

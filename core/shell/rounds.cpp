@@ -16,6 +16,9 @@ constexpr double default_growth = 0.3;
 constexpr Index most_rounds = 12, local_rounds = 3;
 // A mesh that is only too coarse in places is good enough after so many.
 constexpr int most_doubts = 2;
+// More quads than in the first round by so much: smaller sizes are not what the surface lacks.
+constexpr double most_growth = 8;
+constexpr double some_faces = 2000;
 constexpr double one_point = 1e-12;                           // of the diagonal
 constexpr std::size_t most_faults = 100, most_doubtful = 30;  // that a round looks at
 
@@ -130,12 +133,18 @@ std::vector<Fault> ChartRounds::faults_at(const std::vector<Violation>& violatio
 /// Another round with smaller sizes, unless there have been enough.
 std::optional<Error> ChartRounds::try_again(const std::vector<Fault>& faults) {
   if (round_ > 1) keep_vertices(faults);
-  if (round_ == most_rounds ||
+  if (round_ == 1) faces_at_first_ = mesh_.faces.size();
+  if (round_ == most_rounds || has_grown() ||
       !make_smaller(cut_.surface, faults, round_ > local_rounds, growth_of(options_), size_))
     return take_kept() ? std::nullopt : std::optional(failed(faults.front()));
   ++round_;
   done_ = false;
   return std::nullopt;
+}
+
+bool ChartRounds::has_grown() const {
+  return static_cast<double>(mesh_.faces.size()) >
+         some_faces + most_growth * static_cast<double>(faces_at_first_);
 }
 
 /// Chords that cut the vertices of thin charts may cross at every size.

@@ -57,6 +57,7 @@ class ChartRounds {
   std::vector<Fault> faults_at(const std::vector<Violation>& violations) const;
   std::optional<Error> try_again(const std::vector<Fault>& faults);
   void keep_vertices(const std::vector<Fault>& faults);
+  bool has_grown() const;
   bool take_kept();
   Error failed(const Fault& fault) const;
 
@@ -80,6 +81,7 @@ class ChartRounds {
   std::optional<Kept> kept_;  // good enough, while a better one is tried
   int doubts_ = 0;            // rounds for meshes that were too coarse in places
   Index round_ = 1;
+  std::size_t faces_at_first_ = 0;  // of the first round
   bool done_ = false;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/fields.h"
 #include "surface/flat.h"
 #include "surface/orient.h"
 #include "surface/slits.h"
@@ -18,6 +19,8 @@ namespace {
 constexpr double slit_width = 1e-6;
 // A triangle lower than this, relative to the diagonal, is flat: what rounding leaves of collinear
 // points. Removing it moves the surface by no more than that.
+constexpr double smallest_surface = 1e-30,
+                 largest_surface = 1e30;  // sixth powers of lengths are taken
 constexpr double flat_height = 1e-10;
 constexpr double largest_coordinate = 1e100;
 constexpr double least_weld = 1e-15;  // below the last bit of the coordinates: equal points only
@@ -118,6 +121,12 @@ class Repair {
       if (std::fabs(x) > largest_coordinate)
         return Error{ErrorCode::too_large, "A coordinate is larger than 1e100.", {}};
     diagonal_ = length(high - low);
+    if (!(low == high) && !(diagonal_ > smallest_surface && diagonal_ < largest_surface))
+      return Error{ErrorCode::lost_precision,
+                   "The surface is " + short_number(diagonal_) +
+                       " across; its numbers are beyond what double precision can calculate with. "
+                       "Use another unit of length: between 1e-30 and 1e30.",
+                   {}};
     return 0;
   }
 

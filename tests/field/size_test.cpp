@@ -86,6 +86,22 @@ TEST_CASE("sizes at points and size functions are met") {
     CHECK(function.size({x, 0.4}, hint) == lpq_test::Approx(0.02 + 0.1 * x).epsilon(0.02));
 }
 
+TEST_CASE("a size at a point outside grows on its way in") {
+  const auto boundary = square_boundary(0.1);
+  FieldOptions options;
+  options.size = 0.1;
+  options.growth = 0.08;
+  Index hint = none;
+  for (const Vec2 away : {Vec2{3, 3}, Vec2{-40, 0.5}}) {
+    options.sizes = {{away, 0.001}};
+    CHECK(fields_of(boundary, options).size({0.9, 0.9}, hint) == lpq_test::Approx(0.1));
+  }
+  options.sizes = {{{1.5, 0.5}, 0.001}};  // 0.04 more at the nearest side
+  const double inside = fields_of(boundary, options).size({0.98, 0.5}, hint);
+  CHECK(inside > 0.03);
+  CHECK(inside < 0.06);
+}
+
 TEST_CASE("sizes that are no sizes are refused") {
   const auto boundary = square_boundary(0.1);
   const double nan = std::numeric_limits<double>::quiet_NaN();

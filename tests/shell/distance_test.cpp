@@ -98,6 +98,20 @@ TEST_CASE("half of a surface without mesh is seen from the surface only") {
   CHECK(std::abs(half.from_surface.mean - 0.25) < 0.02);
 }
 
+TEST_CASE("what lies inside large triangles is measured, and said where") {
+  SurfaceMesh square;  // in the middle of which the mesh dips
+  square.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  square.triangles = {{0, 1, 2}, {0, 2, 3}};
+  ShellMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, -0.25}};
+  for (Index k = 0; k < 4; ++k) mesh.faces.push_back({k, (k + 1) % 4, 4, none});
+  const Distance distance = surface_distance(square.points, square.triangles, mesh).from_surface;
+  CHECK(distance.max > 0.12);  // 0.22, and less between samples
+  CHECK(distance.max <= 0.25);
+  CHECK(lpq::distance(distance.at, {0.5, 0.5, 0}) < 0.2);
+  CHECK(distance.mean > 0.05);
+}
+
 TEST_CASE("chords of a sphere stay within their sagitta", "[slow]") {
   const SurfaceMesh ball = sphere(24);
   SurfaceSoup soup;

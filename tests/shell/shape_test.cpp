@@ -365,7 +365,17 @@ TEST_CASE("needles have no more places to cover than fit along them") {
   const std::vector<PlaceToCover> places = places_to_cover(meshed.charted());
   const int along = static_cast<int>(3 / (0.3 * h)) + 1;
   CHECK(static_cast<int>(places.size()) > 2 * sides);
-  CHECK(static_cast<int>(places.size()) <= 1 + sides * (along + 1));  // centre, middles, rows
+  CHECK(static_cast<int>(places.size()) <= 1 + sides * (along + 1));  // centre, middles, chords
+  // Along each needle no piece is left out, down to its narrow end.
+  for (const Tri& t : meshed.charted().mesh.triangles) {
+    std::vector<double> from_centre{0, 3};
+    for (const PlaceToCover& at : places)
+      if (meshed.charted().mesh.triangles[at.place.triangle] == t)
+        from_centre.push_back(length(at.point));
+    std::sort(from_centre.begin(), from_centre.end());
+    for (std::size_t i = 1; i < from_centre.size(); ++i)
+      CHECK(from_centre[i] - from_centre[i - 1] < 0.45 * h);
+  }
 }
 
 TEST_CASE("tips that the mesh cuts off are reached") {

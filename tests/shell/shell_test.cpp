@@ -5,6 +5,7 @@
 #include <string>
 
 #include "catch.h"
+#include "numerics/elementary.h"
 #include "shell/check.h"
 #include "shell/mesh_surface.h"
 #include "shell/place.h"
@@ -289,6 +290,71 @@ TEST_CASE("seams and shape are made in many steps, which can be stopped and look
   REQUIRE(!stopped);
   CHECK(stopped.error().code == ErrorCode::cancelled);
   CHECK(left == 0);
+}
+
+TEST_CASE("a size larger than a body leaves its edges and corners") {
+  for (const double size : {1.2, 2.0, 1000.0}) {
+    const auto outcome = mesh_surface(box_soup({1, 1, 1}, 1), {.size = size});
+    REQUIRE(outcome.has_value());
+    CHECK(outcome->report.faces == 6);
+    CHECK(outcome->mesh.faces.size() == 6);
+    CHECK(outcome->report.distance.from_surface.max < 1e-9);
+    CHECK(outcome->report.warnings.empty());
+  }
+  SurfaceSoup triangle;
+  triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangle.triangles = {{0, 1, 2}};
+  const auto outcome = mesh_surface(triangle, {.size = 1000});
+  REQUIRE(outcome.has_value());
+  CHECK(outcome->report.distance.from_surface.max < 1e-9);
+}
+
+/// A cone of needles with its base.
+SurfaceSoup needle_cone(double radius, double height, int sides) {
+  SurfaceSoup soup;
+  soup.points = {{0, 0, height}, {0, 0, 0}};
+  for (int i = 0; i < sides; ++i) {
+    const SinCos turn = sin_cos(2 * pi * i / sides);
+    soup.points.push_back({radius * turn.cos, radius * turn.sin, 0});
+    soup.triangles.push_back({0, i + 2, (i + 1) % sides + 2});
+    soup.triangles.push_back({1, (i + 1) % sides + 2, i + 2});
+  }
+  return soup;
+}
+
+TEST_CASE("what a mesh cuts off is told") {
+  const auto outcome = mesh_surface(needle_cone(0.5, 10, 31), {.size = 0.2});
+  REQUIRE(outcome.has_value());
+  const double max = outcome->report.distance.from_surface.max;
+  const auto& warnings = outcome->report.warnings;
+  const bool told = std::any_of(warnings.begin(), warnings.end(), [](const Warning& warning) {
+    return warning.code == ErrorCode::bad_size &&
+           warning.message.find("cuts off") != std::string::npos;
+  });
+  CHECK(told == (max > 0.1));
+}
+
+TEST_CASE("a tip thinner than every size ends in a plain reason, not in ever smaller quads") {
+  const auto outcome = mesh_surface(needle_cone(0.05, 5, 24), {.size = 0.1});
+  if (outcome.has_value()) {
+    CHECK(check_shell(outcome->surface, outcome->mesh).empty());
+    CHECK(outcome->mesh.faces.size() < 5000);
+  } else {
+    CHECK(outcome.error().code == ErrorCode::no_valid_mesh);
+  }
+}
+
+TEST_CASE("surfaces beyond the range of calculation are refused as such") {
+  for (const double scale : {1e-200, 1e-40, 1e40, 1e99}) {
+    const auto outcome = mesh_surface(box_soup({scale, scale, scale}, 1), {.size = 0.5 * scale});
+    REQUIRE(!outcome.has_value());
+    CHECK(outcome.error().code == ErrorCode::lost_precision);
+  }
+  for (const double scale : {1e-29, 1e28}) {
+    const auto outcome = mesh_surface(box_soup({scale, scale, scale}, 1), {.size = 0.5 * scale});
+    REQUIRE(outcome.has_value());
+    CHECK(outcome->mesh.faces.size() == 24);
+  }
 }
 
 TEST_CASE("the cells of the chart that is meshed cover it, in its plane and on the surface") {

@@ -7,6 +7,7 @@
 
 #include "shell/place.h"
 #include "shell/shape/patch.h"
+#include "shell/triangle_places.h"
 
 namespace lpq {
 namespace {
@@ -60,7 +61,8 @@ class PlaceFinder {
     }
   }
 
-  /// The middle of a triangle that is not small, or several points.
+  /// The middle of a triangle that is not small, or several points; of a needle no more than its
+  /// share.
   void take_inside(Index t) {
     const auto [a, b, c] = mesh_.triangles[t];
     const double longest = std::max({length_of(a, b), length_of(b, c), length_of(c, a)});
@@ -68,38 +70,16 @@ class PlaceFinder {
     if (longest <= step) return;
     const Vec3 p = mesh_.points[a];
     const double double_area = length(cross(mesh_.points[b] - p, mesh_.points[c] - p));
-    if (double_area < needle * longest * longest) return take_rows(t, double_area);
+    if (double_area < needle * longest * longest) {
+      visit_places({p, mesh_.points[b], mesh_.points[c]}, step,
+                   [&](const std::array<double, 3>& weight, double) {
+                     add({t, {weight[0], weight[1], weight[2]}});
+                   });
+      return;
+    }
     const int n = std::max(3, static_cast<int>(std::min(longest / step, most_steps)) + 1);
     for (int i = 1; i < n; ++i)
       for (int j = 1; i + j < n; ++j) add({t, {1.0 * i / n, 1.0 * j / n, 1.0 * (n - i - j) / n}});
-  }
-
-  /// Of a needle no more than its share: along its longest side.
-  void take_rows(Index t, double double_area) {
-    const Tri& corner = mesh_.triangles[t];
-    int first = 0;  // the longest side begins there
-    for (int k = 1; k < 3; ++k)
-      if (length_of(corner[k], corner[(k + 1) % 3]) >
-          length_of(corner[first], corner[(first + 1) % 3]))
-        first = k;
-    const double longest = length_of(corner[first], corner[(first + 1) % 3]);
-    const double step = between_points * size_[corner[0]];
-    const auto count = [step](double length) {
-      return std::max(1, static_cast<int>(std::min(length / step, most_steps)));
-    };
-    const int rows = count(double_area / longest);
-    for (int row = 0; row < rows; ++row) {
-      const double up = (row + 0.5) / rows;
-      const int columns = count((1 - up) * longest);
-      for (int column = 0; column < columns; ++column) {
-        const double along = (1 - up) * ((column + 0.5) / columns);
-        SurfacePlace place{t, {}};
-        place.weight[first] = 1 - up - along;
-        place.weight[(first + 1) % 3] = along;
-        place.weight[(first + 2) % 3] = up;
-        add(place);
-      }
-    }
   }
 
   const SurfaceMesh& mesh_;

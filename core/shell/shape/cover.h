@@ -16,8 +16,8 @@ struct PlaceToCover {
 };
 
 /// Vertices, middles of edges longer than .15 of the mesh size there, and points inside triangles
-/// with a side longer than .3 of it, about so far apart, but in the narrow end of a needle none;
-/// none on features, which have nodes of their own. Cost O(#T) and the number of points.
+/// with a side longer than .3 of it, about so far apart, in needles on chords across the longest
+/// side; none on features, which have nodes of their own. Cost O(#T) and the number of points.
 std::vector<PlaceToCover> places_to_cover(const Charted& charted);
 
 class Cover {

@@ -55,12 +55,12 @@ class TipReacher {
   std::vector<Tip> find() {
     const Cover cover(mesh_);
     std::vector<Tip> tips;
-    points_at_.assign(mesh_.faces.size(), {});
+    places_at_.assign(mesh_.faces.size(), {});
     Cover::Gap gap{0, 0};
     for (const PlaceToCover& at : places_) {
       gap = cover.at(at.point, gap.face);
       if (mesh_.face[gap.face] != face_[at.place.triangle]) continue;
-      points_at_[gap.face].push_back(at.point);
+      places_at_[gap.face].push_back(&at);
       if (gap.distance > far_off) tips.push_back({&at, gap});
     }
     std::stable_sort(tips.begin(), tips.end(),
@@ -83,23 +83,27 @@ class TipReacher {
 
   /// The patch with one of the quad's corners on the tip, if that uncovers less than it covers.
   std::optional<ShapePatch> best_move(const Tip& tip, const ShapePatch& patch) {
-    std::vector<Vec3> points;
+    std::vector<const PlaceToCover*> near;
     for (const Index f : patch.faces)
-      points.insert(points.end(), points_at_[f].begin(), points_at_[f].end());
+      near.insert(near.end(), places_at_[f].begin(), places_at_[f].end());
     const auto before = verdict(patch);
-    double least = uncovered(patch.mesh, points);
+    double least = uncovered(patch.mesh, near);
     std::optional<ShapePatch> best;
-    for (const Index v : mesh_.faces[tip.gap.face]) {
-      if (v == none || roles_[v].kind != VertexRole::Kind::walks) continue;
+    const auto attempt = [&](const PlaceToCover& goal, Index v) {
       ShapePatch moved = patch;
-      if (!put_on(*tip.at, v, moved) || ++trials_ > most_trials) continue;
+      if (!put_on(goal, v, moved) || ++trials_ > most_trials) return;
       const auto after = smooth_patch(ground_, options_, moved);
       if (after.tangled > before.tangled || after.worst < std::min(before.worst - slack, poor))
-        continue;
-      const double left = uncovered(moved.mesh, points);
-      if (!(left < least)) continue;
+        return;
+      const double left = uncovered(moved.mesh, near);
+      if (!(left < least)) return;
       least = left;
       best = std::move(moved);
+    };
+    for (const Index v : mesh_.faces[tip.gap.face]) {
+      if (v == none) continue;
+      attempt(*tip.at, v);
+      if (!best) attempt(nearest(near, 0.5 * (mesh_.points[v] + tip.at->point)), v);
     }
     return best;
   }
@@ -110,20 +114,27 @@ class TipReacher {
   }
 
   /// By how much points are farther off than they should be, in all.
-  static double uncovered(const ShellMesh& mesh, const std::vector<Vec3>& points) {
+  static double uncovered(const ShellMesh& mesh, const std::vector<const PlaceToCover*>& near) {
     const Cover cover(mesh);
     double sum = 0;
     Cover::Gap gap{0, 0};
-    for (const Vec3 point : points) {
-      gap = cover.at(point, gap.face);
+    for (const PlaceToCover* at : near) {
+      gap = cover.at(at->point, gap.face);
       sum += std::max(0.0, gap.distance - near_enough);
     }
     return sum;
   }
 
+  static const PlaceToCover& nearest(const std::vector<const PlaceToCover*>& near, Vec3 p) {
+    return **std::min_element(near.begin(), near.end(),
+                              [p](const PlaceToCover* a, const PlaceToCover* b) {
+                                return distance(a->point, p) < distance(b->point, p);
+                              });
+  }
+
   static bool put_on(const PlaceToCover& tip, Index v, ShapePatch& patch) {
     const Index local = index_of(v, patch.vertex);
-    if (patch.rim[local]) return false;
+    if (patch.roles[local].kind != VertexRole::Kind::walks) return false;
     patch.mesh.places[local] = tip.place;
     patch.mesh.points[local] = tip.point;
     patch.roles[local].kind = VertexRole::Kind::fixed;
@@ -137,7 +148,8 @@ class TipReacher {
   ShellMesh& mesh_;
   std::vector<VertexRole>& roles_;
   const Csr<Index> stars_;
-  std::vector<std::vector<Vec3>> points_at_;  // #F  nearest to the face, when the pass began
+  std::vector<std::vector<const PlaceToCover*>>
+      places_at_;  // #F  nearest to the face, when the pass began
   Index reached_ = 0;
   int trials_ = 0;
 };
