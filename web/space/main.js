@@ -17,6 +17,7 @@ import { installFilesTab } from './panels/files_tab.js';
 import { installLayersTab } from './panels/layers_tab.js';
 import { installMeshTab } from './panels/mesh_tab.js';
 import { installSurfaceTab } from './panels/surface_tab.js';
+import { installFollowing } from './run/follow.js';
 import { SurfaceRunner, shareOf, stageInWords } from './run/runner.js';
 import { installPlanes } from './view/planes.js';
 import { installScene } from './view/scene.js';
@@ -98,10 +99,9 @@ runner.subscribe((run) => {
   if (phase === 'done') app.announce(`Done: ${run.result?.report.quads} quads`);
   if (phase === 'failed') app.notify(run.error?.message ?? 'The run failed.');
 });
-store.subscribe((work, before) => {
+store.subscribe((work) => {
   refresh();
   history.replaceState(null, '', toFragment(work) || location.pathname + location.search);
-  if ((work.surface !== before.surface || work.options !== before.options) && store.gesture === '') void runner.start(work);
 });
 themes.subscribe(refreshPlanes);
 actions.listen(window);
@@ -109,4 +109,4 @@ addEventListener('hashchange', ({ newURL }) => store.change('Open a link', fromF
 Object.assign(globalThis, { playground: app });  // for the browser's console
 refresh();
 refreshScene();
-void runner.start(store.project);
+installFollowing(app);
