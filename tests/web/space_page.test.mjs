@@ -166,6 +166,29 @@ test('a surface that is opened in the plane goes to space, and a drawing back', 
   await page.context().close();
 });
 
+test('what cannot be handed to the other page is refused in words, on both', async () => {
+  const box = { name: 'box.stl', mimeType: 'model/stl', buffer: Buffer.from(boxStl()) };
+  const square = { name: 'square.json', mimeType: 'application/json', buffer: Buffer.from('{"loops": [[[0, 0], [1, 0], [1, 1]]]}') };
+  for (const [address, file, words] of [['', box, '.error-bar'], ['space.html#preset=saddle&size=0.25', square, '.notice']]) {
+    const page = await playground.open({ hash: address });
+    await page.evaluate(() => { IDBFactory.prototype.open = () => { throw new DOMException('refused', 'SecurityError'); }; });
+    await page.locator('input[type=file]').first().setInputFiles(file);
+    await page.locator(words, { hasText: `${file.name}` }).filter({ hasText: 'does not let it be handed over' }).waitFor();
+    assert.deepEqual(page.errors, []);
+    await page.context().close();
+  }
+});
+
+test('a file in the plane that asks for a mesher that cannot start is refused in words', async () => {
+  const page = await playground.open();
+  await page.locator('.stage-name', { hasText: /^done/ }).waitFor();
+  await page.evaluate(() => { globalThis.Worker = class { constructor() { throw new Error('There are no workers.'); } }; });
+  await page.locator('input[type=file]').first().setInputFiles({ name: 'box.obj', mimeType: 'model/obj', buffer: Buffer.from('v 0 0 0') });
+  await page.locator('.error-bar', { hasText: 'box.obj' }).waitFor();
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
 test('a run is cancelled at once, and begun again', async () => {
   const page = await openSpace();
   await page.evaluate(() => globalThis.playground.store.change('Size', { options: { size: 0.01 } }));

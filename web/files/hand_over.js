@@ -18,7 +18,11 @@ const answer = (request) => new Promise((resolve, reject) => {
 
 /** Goes to the other page with the file. @param {File} file  @param {string} page */
 export async function handOver(file, page) {
-  await answer((await openStore()).put(file, 'file'));
+  try {
+    await answer((await openStore()).put(file, 'file'));
+  } catch (cause) {
+    throw new Error('It belongs on the other page, Plane or Space, and this browser does not let it be handed over. Open it there.', { cause });
+  }
   location.assign(`${page}#file`);
 }
 

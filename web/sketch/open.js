@@ -72,7 +72,8 @@ export function installOpening(app, show) {
 
   /** @param {unknown} thrown  @param {string} name */
   function fail(thrown, name) {
-    const { code = 'IO_ERROR', message, where = {} } = /** @type {any} */ (thrown);
+    const { code: given, message, where = {} } = /** @type {any} */ (thrown);
+    const code = typeof given === 'string' ? given : 'IO_ERROR';  // errors of the browser have numbers
     const line = where.line === undefined ? '' : ` (line ${where.line})`;
     show({ title: titleOf(code), details: `${name}: ${message}${line}`, problem: { code, message, where: {} } });
   }
@@ -92,9 +93,13 @@ export function installOpening(app, show) {
 
   /** @param {File[]} files */
   async function openFiles(files) {
-    for (const opener of app.openers) if (await opener(files)) return;
     const file = files.find(({ name }) => endings.some((ending) => name.toLowerCase().endsWith(ending))) ?? files[0];
     if (file === undefined) return;
+    try {
+      for (const opener of app.openers) if (await opener(files)) return;
+    } catch (thrown) {
+      return fail(thrown, file.name);
+    }
     if (file.size > mostBytes) return fail({ code: 'TOO_LARGE', message: `It has ${Math.round(file.size / 2 ** 20)} MiB; the page takes 64.` }, file.name);
     await openSource(async () => new Uint8Array(await file.arrayBuffer()), file.name);
   }
@@ -113,7 +118,7 @@ export function installOpening(app, show) {
       actions.run('tool.polygon');
     } },
   );
-  listenForDrops(stage.element, openFiles);
+  listenForDrops(stage.element, openFiles, (thrown) => fail(thrown, 'What was dropped'));
   window.addEventListener('paste', (event) => {
     if (event.target instanceof HTMLInputElement || event.target instanceof HTMLTextAreaElement) return;
     const files = [...event.clipboardData?.files ?? []], text = event.clipboardData?.getData('text/plain') ?? '';
@@ -122,8 +127,9 @@ export function installOpening(app, show) {
   });
 }
 
-/** @param {HTMLElement} mark  shows that files may be dropped  @param {(files: File[]) => Promise<void>} openFiles */
-function listenForDrops(mark, openFiles) {
+/** @param {HTMLElement} mark  shows that files may be dropped  @param {(files: File[]) => Promise<void>} openFiles
+ * @param {(thrown: unknown) => void} fail  where they cannot be read */
+function listenForDrops(mark, openFiles, fail) {
   const hasFiles = (/** @type {DragEvent} */ event) => event.dataTransfer?.types.includes('Files') ?? false;
   window.addEventListener('dragover', (event) => {
     if (!hasFiles(event)) return;
@@ -134,6 +140,6 @@ function listenForDrops(mark, openFiles) {
   window.addEventListener('drop', (event) => {
     if (!hasFiles(event)) return;
     event.preventDefault();
-    void droppedFiles(event.dataTransfer).then(openFiles);
+    void droppedFiles(event.dataTransfer).then(openFiles, fail);
   });
 }

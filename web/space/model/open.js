@@ -33,13 +33,13 @@ export function installOpening(app) {
   /** @param {File[]} files */
   async function open([file]) {
     if (file === undefined) return;
-    if (ofThePlane.test(file.name)) return handOver(file, './');
     if (file.size > mostBytes) return notify(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB; the page takes 256.`);
     announce(`Opening ${file.name}`);
     latest.abort();  // of two files that are opened the second is wanted
     notify('');
     const { signal } = latest = new AbortController();
     try {
+      if (ofThePlane.test(file.name)) return await handOver(file, './');
       const surface = await read(app, file, signal);
       if (signal.aborted) return;
       const count = surface.triangles.length / 3;
@@ -59,7 +59,7 @@ export function installOpening(app) {
   window.addEventListener('dragover', (event) => event.preventDefault());
   window.addEventListener('drop', (event) => {
     event.preventDefault();
-    if (event.dataTransfer) void droppedFiles(event.dataTransfer).then(open);
+    if (event.dataTransfer) void droppedFiles(event.dataTransfer).then(open, () => notify('What was dropped could not be read.'));
   });
   void handedFile().then((file) => file && open([file]));
 }
