@@ -72,3 +72,22 @@ test('a slider that comes back to where it was leaves the mesh as it is', async 
   const after = await now();
   assert.deepEqual([after.size, after.runs, after.phase], [before.size, before.runs, 'done']);
 });
+
+test('the address follows once the slider rests, not at every step', async () => {
+  const steps = 60;
+  await page.evaluate(() => {
+    const replace = history.replaceState.bind(history);
+    globalThis.addresses = [];
+    history.replaceState = (state, unused, url) => { globalThis.addresses.push(url); replace(state, unused, url); };
+  });
+  const wanted = await page.evaluate((count) => {
+    const { store } = globalThis.playground;
+    for (let k = 0; k < count; ++k) store.change('Size', ({ options }) => ({ options: { ...options, size: 0.3 + k / 1000 } }), 'a drag');
+    store.settle();
+    return `size=${store.project.options.size}`;
+  }, steps);
+  await page.waitForFunction((text) => location.hash.includes(text), wanted);
+  const count = await page.evaluate(() => globalThis.addresses.length);
+  assert.ok(count < steps / 2, `${count} addresses for ${steps} changes`);
+  assert.deepEqual(page.errors, []);
+});

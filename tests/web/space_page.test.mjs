@@ -109,7 +109,7 @@ test('an option is changed, undone, and said in the address', async () => {
   await page.keyboard.press('Enter');
   await page.waitForFunction((old) => { const { phase, result } = globalThis.playground.runner.run; return phase === 'done' && result.report.quads > old; },
     quads, { timeout: patience });
-  assert.match(await page.evaluate(() => location.hash), /preset=saddle&size=0\.15/);
+  await page.waitForFunction(() => location.hash.includes('preset=saddle&size=0.15'));
   await page.locator('header').getByRole('button', { name: 'Undo' }).click();
   await page.waitForFunction((old) => globalThis.playground.runner.run.result?.report.hash === old, hash, { timeout: patience });
   assert.deepEqual(page.errors, []);

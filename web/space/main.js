@@ -8,6 +8,7 @@ import { h, setText } from '../panels/dom.js';
 import { createNotices } from '../panels/notice.js';
 import { Tabs } from '../panels/tabs.js';
 import { createEngine } from '../run/engine.js';
+import { whenRested } from '../state/rest.js';
 import { Store } from '../state/store.js';
 import { fromFragment, toFragment } from './model/link.js';
 import { installOpening } from './model/open.js';
@@ -99,10 +100,8 @@ runner.subscribe((run) => {
   if (phase === 'done') app.announce(`Done: ${run.result?.report.quads} quads`);
   if (phase === 'failed') app.notify(run.error?.message ?? 'The run failed.');
 });
-store.subscribe((work) => {
-  refresh();
-  history.replaceState(null, '', toFragment(work) || location.pathname + location.search);
-});
+store.subscribe(refresh);
+store.subscribe(whenRested(() => history.replaceState(null, '', toFragment(store.project) || location.pathname + location.search)));
 themes.subscribe(refreshPlanes);
 actions.listen(window);
 addEventListener('hashchange', ({ newURL }) => store.change('Open a link', fromFragment(new URL(newURL).hash)));

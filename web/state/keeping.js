@@ -7,10 +7,10 @@ import { NotAProject } from './judge.js';
 import { fromFragment, longestLink, toFragment } from './link.js';
 import { projectText, readProject } from './project_file.js';
 import { haveSameMesh } from './project.js';
+import { whenRested } from './rest.js';
 import { keep, kept } from './storage.js';
 
 const stored = 'project';
-const rest = 400;  // milliseconds without a change before it is kept
 
 /** @typedef {{project: Project | null, place: Place, notice: string}} Opened */
 
@@ -47,7 +47,7 @@ function lastProject() {
 
 export class Keeping {
   #app;
-  #timer = 0;
+  #soon = whenRested(() => void this.#follow());
   #turn = 0;
   #full = false;
   /** Which chapter of the tour is open, and the project as it set it. @type {{id: string, project: Project | null}} */
@@ -80,11 +80,6 @@ export class Keeping {
     const { project } = this.#app.store;
     if (this.chapter.id && project === this.chapter.project) return Promise.resolve(`#chapter=${this.chapter.id}`);
     return toFragment(project, this.place);
-  }
-
-  #soon() {
-    clearTimeout(this.#timer);
-    this.#timer = window.setTimeout(() => void this.#follow(), rest);
   }
 
   async #follow() {

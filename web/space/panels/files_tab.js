@@ -6,6 +6,7 @@ import { formats } from '../../files/formats.js';
 import { h } from '../../panels/dom.js';
 import { icon } from '../../panels/icons.js';
 import { fileNameOf, surfaceObj, toCommand, toJavaScript } from '../model/code.js';
+import { toFragment } from '../model/link.js';
 
 /** @param {SpaceApp} app */
 export function installFilesTab(app) {
@@ -16,7 +17,7 @@ export function installFilesTab(app) {
     { id: 'file.surface', label: 'Surface as OBJ', icon: 'download',
       run: () => download(`${fileNameOf(app.store.project)}.obj`, surfaceObj(app.store.project.surface)) },
     { id: 'page.share', label: 'Copy the link', icon: 'share', keys: ['Shift+S'], enabled: () => app.store.project.preset !== undefined,
-      run: () => void tryToCopy(app, location.href, 'The link is copied.') });
+      run: () => void tryToCopy(app, location.href.replace(/#.*$/, '') + toFragment(app.store.project), 'The link is copied.') });
   const code = createCode(app);
   const list = h('ul', { className: 'formats' });
   const reason = h('p', { className: 'reason', id: 'export-reason' });
