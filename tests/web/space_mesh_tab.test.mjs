@@ -73,6 +73,20 @@ test('a slider that comes back to where it was leaves the mesh as it is', async 
   assert.deepEqual([after.size, after.runs, after.phase], [before.size, before.runs, 'done']);
 });
 
+test('the same size again is no change, to undo or to mesh', async () => {
+  await meshed();
+  const before = await now();
+  const input = page.locator('#option-size');
+  await page.evaluate(() => { globalThis.project = globalThis.playground.store.project; });
+  for (const text of [` ${before.size}`, `0${before.size}`, `${before.size}0`]) {
+    await input.fill(text);
+    await page.keyboard.press('Enter');
+    assert.equal(await input.inputValue(), String(before.size));
+  }
+  assert.ok(await page.evaluate(() => globalThis.playground.store.project === globalThis.project));
+  assert.deepEqual(await now(), before);
+});
+
 test('the address follows once the slider rests, not at every step', async () => {
   const steps = 60;
   await page.evaluate(() => {
