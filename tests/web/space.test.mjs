@@ -12,7 +12,7 @@ import {
   cellColours, crossLines, edgesOfQuads, gather, irregularVertices, meshOfCells, parts, qualityColours, trianglesOfQuads,
 } from '../../web/space/view/geometry.js';
 import { layOut, quadsInPlanes } from '../../web/space/view/layout.js';
-import { pick } from '../../web/space/view/planes.js';
+import { nextChart, pick } from '../../web/space/view/planes.js';
 import { portionAfter, shareOf, stageInWords } from '../../web/space/run/runner.js';
 
 const near = (a, b, tolerance = 1e-12) => assert.ok(Math.abs(a - b) <= tolerance, `${a} against ${b}`);
@@ -148,6 +148,17 @@ test('a chart is found where it lies, and none between', () => {
   const layout = layOut({ charts, uv, cuts: new Uint32Array() }, 1.5);
   for (const { chart, left, top } of layout.islands) assert.equal(pick(uv, layout, left + 0.3, top + 0.6), chart);
   assert.equal(pick(uv, layout, -1, -1), -1);
+});
+
+test('arrow keys go round all charts either way, from none too', () => {
+  for (const by of [1, -1]) {
+    const seen = [];
+    for (let k = 0, chart = -1; k < 5; ++k) seen.push(chart = nextChart(chart, by, 5));
+    const round = [0, 1, 2, 3, 4];
+    assert.deepEqual(seen, by > 0 ? round : round.reverse());
+    assert.equal(nextChart(seen.at(-1), by, 5), seen[0]);
+  }
+  assert.equal(nextChart(-1, -1, 1), 0);
 });
 
 test('quads are drawn in the plane that all their corners lie in', () => {

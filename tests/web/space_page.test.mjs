@@ -45,6 +45,19 @@ test('a preset is meshed at once, and every layer can be shown', async () => {
   await page.context().close();
 });
 
+test('the preset on the screen is the one that is pressed, and no other once a file is', async () => {
+  const page = await openSpace();
+  const pressed = () => page.locator('.space-presets button[aria-pressed="true"]').evaluateAll((all) => all.map(({ dataset }) => dataset.action));
+  assert.deepEqual(await pressed(), ['preset.saddle']);
+  await page.locator('[data-action="preset.panel"]').click();
+  assert.deepEqual(await pressed(), ['preset.panel']);
+  await page.locator('input[type=file]').setInputFiles({ name: 'box.stl', mimeType: 'model/stl', buffer: Buffer.from(boxStl()) });
+  await page.locator('#project-name', { hasText: 'box.stl' }).waitFor({ timeout: patience });
+  assert.deepEqual(await pressed(), []);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
 test('the planes are drawn when what they show has changed, not at every step', async () => {
   const page = await openSpace();
   const { drawn, steps, changes } = await page.evaluate(async () => {

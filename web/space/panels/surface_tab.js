@@ -9,7 +9,7 @@ import { presets } from '../presets/presets.js';
 export function installSurfaceTab(app) {
   const { actions, store, runner } = app;
   for (const { id, title } of presets)
-    actions.add({ id: `preset.${id}`, label: title, run: () => {
+    actions.add({ id: `preset.${id}`, label: title, pressed: () => store.project.preset === id, run: () => {
       store.change(`Open ${title.toLowerCase()}`, { ...presetWork(id), layers: store.project.layers });
       app.announce(`${title} opened`);
     } });

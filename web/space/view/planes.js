@@ -73,7 +73,7 @@ export function installPlanes(app, element) {
     const count = known?.layout.islands.length ?? 0;
     if (by === undefined || count === 0) return;
     event.preventDefault();
-    app.point((app.pointed.chart + by + count) % count);
+    app.point(nextChart(app.pointed.chart, by, count));
     app.announce(`Chart ${app.pointed.chart + 1} of ${count}`);
   });
   new ResizeObserver(invalidate).observe(element);
@@ -128,6 +128,10 @@ function traceLoop(context, uv, at, corners) {
   for (let k = 1; k < corners; ++k) context.lineTo(uv[at + 2 * k], uv[at + 2 * k + 1]);
   context.closePath();
 }
+
+/** From chart to chart and round; from none (-1) to the first or the last. @param {number} chart  @param {number} by  1 or -1
+ * @param {number} count */
+export const nextChart = (chart, by, count) => (chart < 0 ? (by > 0 ? 0 : count - 1) : (chart + by + count) % count);
 
 /** The chart at a place of the picture; -1: none. @param {ArrayLike<number>} uv  @param {Layout} layout  @param {number} x
  * @param {number} y */
