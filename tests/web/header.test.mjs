@@ -43,16 +43,24 @@ test('the help lists every action with its keys, finds them, and runs them', asy
   await page.context().close();
 });
 
-test('F6 goes round the parts of the page', async () => {
-  const page = await playground.open();
-  const seen = new Set();
-  for (let k = 0; k < 6; ++k) {
-    await page.keyboard.press('F6');
-    seen.add(await page.evaluate(() => document.activeElement?.closest('header, nav, main, footer, aside')?.tagName));
-  }
-  for (const part of ['HEADER', 'MAIN', 'FOOTER']) assert.ok(seen.has(part), part);
-  await page.context().close();
-});
+for (const [place, parts] of [['', ['HEADER', 'NAV', 'MAIN', 'FOOTER', 'ASIDE']], ['space.html', ['HEADER', 'MAIN', 'FOOTER', 'ASIDE']]])
+  test(`F6 goes round the parts of the page, Shift+F6 back: ${place || 'plane'}`, async () => {
+    const page = await playground.open({ hash: place });
+    await page.locator('.stage-name', { hasText: /./ }).waitFor();
+    const at = () => page.evaluate(() => document.activeElement?.closest('#tools, header, main, footer, aside')?.tagName);
+    for (const [key, order] of [['F6', parts], ['Shift+F6', [...parts].reverse()]]) {
+      const seen = [];
+      await page.evaluate(() => document.activeElement?.blur());
+      for (let k = 0; k < parts.length; ++k) {
+        await page.keyboard.press(key);
+        seen.push(await at());
+      }
+      const first = order.indexOf(seen[0]);  // backwards it begins before the first part
+      assert.deepEqual(seen, order.map((_, k) => order[(first + k) % order.length]), key);
+    }
+    assert.deepEqual(page.errors, []);
+    await page.context().close();
+  });
 
 test('no button lacks a name or shows a character for a picture', async () => {
   const page = await playground.open();

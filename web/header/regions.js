@@ -1,10 +1,10 @@
 // Ways round the page without a pointer: from part to part, and from panel to panel.
 /** @import { App } from '../app' */
 
-const order = ['header-actions', 'tools', 'stage', 'timeline', 'panel'];
+const order = ['header-actions', 'tools', 'stage', 'timeline', 'panel'];  // space has no tools
 const focusable = 'button, input, select, textarea, a[href], canvas[tabindex], [tabindex="0"]';
 
-/** @param {App} app */
+/** @param {Pick<App, 'actions' | 'tabs'>} app */
 export function installRegions({ actions, tabs }) {
   actions.add(
     { id: 'page.next', label: 'To the next part of the page', keys: ['F6'], run: () => go(1) },
@@ -16,7 +16,7 @@ export function installRegions({ actions, tabs }) {
 
 /** @param {1 | -1} by */
 function go(by) {
-  const parts = order.map((id) => /** @type {HTMLElement} */ (document.getElementById(id)));
+  const parts = order.flatMap((id) => document.getElementById(id) ?? []);
   const at = parts.findIndex((part) => part.contains(document.activeElement));
   for (let k = 1; k <= parts.length; ++k) {
     const part = parts[(Math.max(at, by < 0 ? 0 : -1) + by * k + 2 * parts.length) % parts.length];

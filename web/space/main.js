@@ -1,6 +1,7 @@
 // The page for surfaces in space: puts its parts together; what they do is theirs.
 /** @import { SpaceApp } from './types' */
 import { createHelp } from '../header/help.js';
+import { installRegions } from '../header/regions.js';
 import { Themes } from '../header/theme.js';
 import { installOffline } from '../offline/offline.js';
 import { Actions } from '../panels/actions.js';
@@ -59,12 +60,11 @@ actions.add(
   { id: 'run.step', label: 'One step', icon: 'step', keys: ['.'], enabled: () => runner.run.phase === 'running', run: () => runner.step() },
   { id: 'run.cancel', label: 'Cancel', icon: 'cancel', keys: ['Escape'], enabled: () => runner.run.phase === 'running', run: () => runner.cancel() },
   { id: 'run.again', label: 'Run again', icon: 'again', keys: ['R'], run: () => void runner.start(store.project) },
-  { id: 'panel.next', label: 'Next panel', keys: [']'], run: () => app.tabs.turn(1) },
-  { id: 'panel.previous', label: 'Previous panel', keys: ['['], run: () => app.tabs.turn(-1) },
   { id: 'page.theme', label: 'Light, dark or as the system', icon: () => /** @type {const} */ ({ system: 'auto', light: 'sun', dark: 'moon' })[themes.theme],
     hint: () => themes.theme, run: () => { themes.turn(); actions.refresh(); app.announce(`Colours: ${themes.theme}`); } },
   { id: 'page.help', label: 'Help', icon: 'help', keys: ['?', 'F1'], run: () => help.open() },
 );
+installRegions(app);
 installOpening(app);
 installSurfaceTab(app);
 installMeshTab(app);
