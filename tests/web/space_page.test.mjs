@@ -124,6 +124,7 @@ test('an option is changed, undone, and said in the address', async () => {
     quads, { timeout: patience });
   await page.waitForFunction(() => location.hash.includes('preset=saddle&size=0.15'));
   await page.locator('header').getByRole('button', { name: 'Undo' }).click();
+  assert.match(await page.locator('#announcer').textContent(), /^Undone: Size of the quads/);
   await page.waitForFunction((old) => globalThis.playground.runner.run.result?.report.hash === old, hash, { timeout: patience });
   assert.deepEqual(page.errors, []);
   await page.context().close();

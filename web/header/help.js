@@ -11,11 +11,8 @@ const rooms = {
   compare: 'Comparing', figures: 'Figures', figure: 'Figures', file: 'Files', learn: 'Learning', panel: 'Panels', page: 'The page',
 };
 
-const introduction = 'Draw an outline, or choose one under Domain: the mesh follows. Drag to pan, turn the wheel or pinch to zoom. '
-  + 'Every action is listed here with its keys, and can be started here too.';
-
-/** @param {Actions} actions  @param {string} [about]  what the page is */
-export function createHelp(actions, about = introduction) {
+/** @param {Actions} actions  @param {string} about  what the page is */
+export function createHelp(actions, about) {
   const list = h('div', { className: 'help-list' });
   const search = h('input', { type: 'search', id: 'help-search', 'aria-label': 'Find an action', placeholder: 'Find an action', oninput: () => filter(list, search.value) });
   const close = h('button', { type: 'button', 'aria-label': 'Close', title: 'Close (Escape)', onclick: () => dialog.close() }, icon('close'));

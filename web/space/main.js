@@ -1,7 +1,6 @@
 // The page for surfaces in space: puts its parts together; what they do is theirs.
 /** @import { SpaceApp } from './types' */
-import { createHelp } from '../header/help.js';
-import { installRegions } from '../header/regions.js';
+import { installPageActions, installTitle } from '../header/page_actions.js';
 import { Themes } from '../header/theme.js';
 import { installOffline } from '../offline/offline.js';
 import { Actions } from '../panels/actions.js';
@@ -46,12 +45,9 @@ const app = {
 };
 
 const { actions, viewer, themes } = app;
-const help = createHelp(actions, 'Open a surface, or choose one under Surface: it is meshed at once. Drag to turn it, turn the wheel or '
+installPageActions(app, 'Open a surface, or choose one under Surface: it is meshed at once. Drag to turn it, turn the wheel or '
   + 'pinch to zoom. Every action is listed here with its keys, and can be started here too.');
 actions.add(
-  { id: 'edit.undo', label: 'Undo', icon: 'undo', keys: ['Ctrl+Z'], enabled: () => store.canUndo, hint: () => store.undoLabel, run: () => store.undo() },
-  { id: 'edit.redo', label: 'Redo', icon: 'redo', keys: ['Ctrl+Y', 'Ctrl+Shift+Z'], enabled: () => store.canRedo, hint: () => store.redoLabel,
-    run: () => store.redo() },
   { id: 'view.fit', label: 'Show all', icon: 'fit', keys: ['F'], run: () => viewer.fit() },
   { id: 'view.in', label: 'Nearer', icon: 'zoomIn', keys: ['+'], run: () => viewer.zoom(1 / 1.2) },
   { id: 'view.out', label: 'Farther', icon: 'zoomOut', keys: ['-'], run: () => viewer.zoom(1.2) },
@@ -60,11 +56,7 @@ actions.add(
   { id: 'run.step', label: 'One step', icon: 'step', keys: ['.'], enabled: () => runner.run.phase === 'running', run: () => runner.step() },
   { id: 'run.cancel', label: 'Cancel', icon: 'cancel', keys: ['Escape'], enabled: () => runner.run.phase === 'running', run: () => runner.cancel() },
   { id: 'run.again', label: 'Run again', icon: 'again', keys: ['R'], run: () => void runner.start(store.project) },
-  { id: 'page.theme', label: 'Light, dark or as the system', icon: () => /** @type {const} */ ({ system: 'auto', light: 'sun', dark: 'moon' })[themes.theme],
-    hint: () => themes.theme, run: () => { themes.turn(); actions.refresh(); app.announce(`Colours: ${themes.theme}`); } },
-  { id: 'page.help', label: 'Help', icon: 'help', keys: ['?', 'F1'], run: () => help.open() },
 );
-installRegions(app);
 installOpening(app);
 installSurfaceTab(app);
 installMeshTab(app);
@@ -72,7 +64,7 @@ installLayersTab(app);
 installFiguresTab(app);
 installFilesTab(app);
 installOffline(app);
-element('header-actions').append(...['edit.undo', 'edit.redo', 'view.fit', 'page.theme', 'page.help'].map((id) => actions.button(id)));
+installTitle(app, ['edit.undo', 'edit.redo', 'view.fit', 'page.theme', 'page.help'], () => store.project.name, 'lpquad in space');
 
 const progress = h('progress', { max: 1, 'aria-label': 'Progress' }), stageName = h('span', { className: 'stage-name' });
 element('timeline').append(actions.button('run.again'), actions.button('run.pause'), actions.button('run.step'), actions.button('run.cancel'), progress, stageName);
@@ -87,8 +79,6 @@ viewer.pointed = (triangle) => {
 const refresh = () => {
   progress.value = shareOf(runner.run);
   setText(stageName, stageInWords(runner.run));
-  setText(element('project-name'), store.project.name);
-  document.title = `${store.project.name} – lpquad in space`;
   actions.refresh();
   refreshPlanes();
 };
