@@ -10,7 +10,7 @@ import { after, test } from 'node:test';
 import { stepBoxes } from './step_boxes.mjs';
 import { dist, path, rejectionOf } from './support.mjs';
 
-const { cadFormats, isCadFile, readCad } = await import(dist('cad.js').href);
+const { cadFormats, isCadFile, readCad, surfaceAsObj } = await import(dist('cad.js').href);
 const installed = existsSync(path('node_modules/occt-import-js'));
 const needsOcct = { skip: installed ? false : 'SKIPPED: occt-import-js is not installed (npm ci)' };
 
@@ -43,6 +43,28 @@ test('formats go by endings', () => {
   assert.deepEqual(cadFormats, ['step', 'iges', 'brep']);
   for (const name of ['a.step', 'b.STP', 'c.iges', 'd.Igs', 'e.brep', 'f.brp']) assert.ok(isCadFile(name), name);
   for (const name of ['a.stl', 'step', 'a.step.obj', '']) assert.ok(!isCadFile(name), name);
+});
+
+test('triangles as OBJ are read back as they were: every bit, groups, bodies, whatever their names', async () => {
+  const { createLpquad } = await import(dist('node.js').href);
+  const reader = await createLpquad();
+  const points = Float64Array.of(-0, 0, 1 / 3, 1e-300, 0, -0, 0, 5e20, 0.1, 1, 1, 1, 2, -0, 1, 2, 2, 2.5);
+  const triangles = Uint32Array.of(0, 1, 2, 1, 0, 2, 3, 4, 5, 5, 4, 3);
+  const groups = Int32Array.of(0, 1, 2, 3), bodies = Int32Array.of(0, 0, 1, 1);
+  const read = (more) => reader.readSurface(surfaceAsObj({ points, triangles, ...more }), { name: 'x.obj' });
+  for (const groupNames of [['a', 'b', 'c', 'd'], ['hash # tag', 'back\\', 'two\nlines\n', ''], ['a b', 'a#b', ' a\tb ', 'a b 2']])
+    for (const bodyNames of [['one', 'two'], ['1 #', '1\\'], ['', '']]) {
+      const again = await read({ groups, groupNames, bodies, bodyNames });
+      for (let i = 0; i < points.length; ++i) assert.ok(Object.is(again.points[i], points[i]), `${again.points[i]}`);
+      assert.deepEqual(again.triangles, triangles);
+      assert.deepEqual(again.groups, groups);
+      assert.equal(new Set(again.groupNames).size, 4);
+      assert.deepEqual(again.bodies, bodies);
+    }
+  const bare = await read({});
+  assert.deepEqual([bare.points, bare.triangles], [points, triangles]);
+  const { groupNames } = await read({ groups, groupNames: ['left', 'right', 'up', 'down'] });
+  assert.deepEqual(groupNames, ['left', 'right', 'up', 'down']);
 });
 
 test('faces of all bodies become groups with names that occur once', async () => {

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { createLpquad } from '../../dist/node.js';
 import { light } from '../../web/draw/palette.js';
-import { sourceOf, surfaceObj, toCommand, toJavaScript } from '../../web/space/model/code.js';
+import { sourceOf, toCommand, toJavaScript } from '../../web/space/model/code.js';
 import { fromFragment, presetWork, toFragment } from '../../web/space/model/link.js';
 import { areaOf, boxOf, inOrder, sizeFor } from '../../web/space/model/work.js';
 import { presets, surfaceOf } from '../../web/space/presets/presets.js';
@@ -203,18 +203,6 @@ test('code names the file, and options that were chosen', () => {
   const file = { ...work, name: "it's part.STL", preset: undefined };
   assert.equal(sourceOf(file), "it's part.STL");
   assert.match(toCommand(file, known), /^lpquad mesh 'it'\\''s part\.STL' -o it-s-part-quads\.msh /);
-});
-
-test('a surface that was saved as a file is read back as it was', async () => {
-  const lpquad = await createLpquad();
-  const { points, triangles } = presetWork('pipe').surface;
-  const groups = Int32Array.from({ length: triangles.length / 3 }, (_, t) => (t < 100 ? 0 : 1));
-  const read = await lpquad.readSurface(surfaceObj({ points, triangles, groups, groupNames: ['one', 'two'], bodies: new Int32Array(), bodyNames: [] }),
-    { name: 'pipe.obj' });
-  assert.deepEqual(read.points, points);
-  assert.deepEqual(read.triangles, triangles);
-  assert.deepEqual(read.groupNames, ['one', 'two']);
-  assert.deepEqual(read.groups, groups);
 });
 
 test('cells are triangles and borders of their pieces, and squares of equal size have the least energy', () => {

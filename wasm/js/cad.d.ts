@@ -1,3 +1,5 @@
+import type { Surface } from './surface.js';
+
 /** An instance of occt-import-js, as far as it is used here. */
 export interface OcctInstance {
   ReadStepFile(content: Uint8Array, params: object | null): any;
@@ -57,3 +59,9 @@ export function isCadFile(name: string): boolean;
  * BAD_OPTION for an unknown format, PARSE_ERROR for a broken file, EMPTY without faces.
  */
 export function readCad(source: Uint8Array | ArrayBuffer | string, options?: CadOptions): Promise<CadSurface>;
+
+/**
+ * Triangles as an OBJ file that readSurface reads back, every digit kept: lines `o` for bodies where there are several, `g` for
+ * groups. Names lose what such a line cannot hold (#, \, line breaks); those that then are equal get numbers.
+ */
+export function surfaceAsObj(surface: Surface): string;

@@ -60,17 +60,20 @@ function imported(occt, bytes, format, options) {
   return result.meshes.filter((mesh) => mesh.index.array.length > 0);
 }
 
-/** Names of bodies, each once: "bolt", "bolt 2", …; a number where a file of several has no name. */
-function bodyNames(meshes) {
+/** Each name once: "bolt", "bolt 2", … */
+function eachOnce(names) {
   const used = new Set();
-  return meshes.map(({ name }, number) => {
-    const plain = name?.trim() || (meshes.length > 1 ? `body ${number + 1}` : '');
-    let unique = plain;
-    for (let count = 2; used.has(unique); ++count) unique = `${plain} ${count}`;
+  return names.map((name) => {
+    let unique = name;
+    for (let count = 2; used.has(unique); ++count) unique = `${name} ${count}`;
     used.add(unique);
     return unique;
   });
 }
+
+/** Names of bodies; a number where a file of several has no name. */
+const bodyNames = (meshes) =>
+  eachOnce(meshes.map(({ name }, number) => name?.trim() || (meshes.length > 1 ? `body ${number + 1}` : '')));
 
 /** Faces of the B-rep as groups of triangles; what no face has is one more. */
 function addBody(surface, body, mesh, at) {
@@ -148,14 +151,24 @@ export async function readCad(source, options = {}) {
   return readCadWith(await instanceOf(options.occt), bytes, options);
 }
 
-/** The surface as an OBJ file, every digit kept. */
-export function surfaceAsObj({ points, triangles, groups, groupNames, bodies, bodyNames }) {
-  const plain = (name) => name.replace(/[\s\\#]+/g, ' ');
+/** Names as a line of an OBJ file can hold them: one line, no comment, no line that goes on; still each once. */
+const plainNames = (names, kind) =>
+  eachOnce(names.map((name, i) => name.replace(/[\s\\#]+/g, ' ').trim() || `${kind} ${i + 1}`));
+
+/** A text that is read as the same number. */
+const exact = (value) => (Object.is(value, -0) ? '-0' : String(value));
+
+/** @type {import('./cad.js').surfaceAsObj} */
+export function surfaceAsObj({ points, triangles, groups = [], groupNames = [], bodies = [], bodyNames: given = [] }) {
+  const bodyTitles = given.length > 1 ? plainNames(given, 'body') : [];
+  const groupTitles = groupNames.some(Boolean) ? plainNames(groupNames, 'group') : [];
   const lines = ['# lpquad'];
-  for (let i = 0; i < points.length; i += 3) lines.push(`v ${points[i]} ${points[i + 1]} ${points[i + 2]}`);
-  for (let t = 0; t < groups.length; ++t) {
-    if (bodyNames.length > 1 && (t === 0 || bodies[t] !== bodies[t - 1])) lines.push(`o ${plain(bodyNames[bodies[t]])}`);
-    if (t === 0 || groups[t] !== groups[t - 1]) lines.push(`g ${plain(groupNames[groups[t]])}`);
+  for (let i = 0; i < points.length; i += 3)
+    lines.push(`v ${exact(points[i])} ${exact(points[i + 1])} ${exact(points[i + 2])}`);
+  for (let t = 0; t < triangles.length / 3; ++t) {
+    const begins = (numbers) => t === 0 || numbers[t] !== numbers[t - 1];
+    if (bodyTitles[bodies[t]] && begins(bodies)) lines.push(`o ${bodyTitles[bodies[t]]}`);
+    if (groupTitles[groups[t]] && begins(groups)) lines.push(`g ${groupTitles[groups[t]]}`);
     lines.push(`f ${triangles[3 * t] + 1} ${triangles[3 * t + 1] + 1} ${triangles[3 * t + 2] + 1}`);
   }
   return `${lines.join('\n')}\n`;

@@ -3,7 +3,7 @@ import { createLpquad, LpquadError } from 'lpquad';
 import type {
   Domain, ErrorCode, Lpquad, Mesh, MeshFormat, MeshOptions, MeshResult, Snapshot, Surface, SurfaceMeshResult, SurfaceSession,
 } from 'lpquad';
-import { isCadFile, readCad } from 'lpquad/cad';
+import { isCadFile, readCad, surfaceAsObj } from 'lpquad/cad';
 import type { CadSurface } from 'lpquad/cad';
 import { createLpquad as createInline } from 'lpquad/inline';
 import { createLpquad as createInlineSurface } from 'lpquad/inline-surface';
@@ -153,5 +153,5 @@ export async function cad(factory: () => Promise<import('lpquad/cad').OcctInstan
   const part: CadSurface = await readCad(bytes, { name: 'part.step', size: 2, unit: 'inch', occt: factory });
   // @ts-expect-error no such format
   await readCad(bytes, { format: 'stl' });
-  return isCadFile('part.igs') ? part.triangles.length + part.groupNames.length : 0;
+  return isCadFile('part.igs') ? part.triangles.length + part.groupNames.length : surfaceAsObj(part).length;
 }

@@ -41,19 +41,3 @@ export function toCommand(work, known) {
 
 /** @param {Work} work  @param {OptionInfo[]} known */
 const chosenOf = (work, known) => chosen(/** @type {any} */ (work), known);
-
-/** A text that is read as the same number. @param {number} value */
-const exact = (value) => (Object.is(value, -0) ? '-0' : String(value));
-
-/** The triangles as a file, numbers exact, groups by name. @param {Work['surface']} surface */
-export function surfaceObj({ points, triangles, groups, groupNames, bodies, bodyNames }) {
-  const lines = [];
-  for (let i = 0; i < points.length; i += 3) lines.push(`v ${exact(points[i])} ${exact(points[i + 1])} ${exact(points[i + 2])}`);
-  for (let t = 0; t < triangles.length; t += 3) {
-    const group = groups?.[t / 3], body = bodies?.[t / 3];
-    if (body !== undefined && bodyNames && bodyNames.length > 1 && (t === 0 || body !== bodies?.[t / 3 - 1])) lines.push(`o ${bodyNames[body] || `body ${body + 1}`}`);
-    if (group !== undefined && (t === 0 || group !== groups?.[t / 3 - 1]) && groupNames?.[group]) lines.push(`g ${groupNames[group]}`);
-    lines.push(`f ${triangles[t] + 1} ${triangles[t + 1] + 1} ${triangles[t + 2] + 1}`);
-  }
-  return `${lines.join('\n')}\n`;
-}

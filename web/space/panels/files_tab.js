@@ -1,11 +1,12 @@
 // The Files tab: the mesh in every format that has room for a third coordinate, and a picture.
 /** @import { SpaceApp } from '../types' */
 /** @import { SurfaceMeshFormat } from 'lpquad' */
+import { surfaceAsObj } from 'lpquad/cad';
 import { copy, download } from '../../files/download.js';
 import { formats } from '../../files/formats.js';
 import { h } from '../../panels/dom.js';
 import { icon } from '../../panels/icons.js';
-import { fileNameOf, surfaceObj, toCommand, toJavaScript } from '../model/code.js';
+import { fileNameOf, toCommand, toJavaScript } from '../model/code.js';
 import { toFragment } from '../model/link.js';
 
 /** @param {SpaceApp} app */
@@ -15,7 +16,7 @@ export function installFilesTab(app) {
     run: () => viewer.canvas.toBlob((blob) => { if (blob) download(`${fileNameOf(app.store.project)}.png`, blob, 'image/png'); }) });
   actions.add(
     { id: 'file.surface', label: 'Surface as OBJ', icon: 'download',
-      run: () => download(`${fileNameOf(app.store.project)}.obj`, surfaceObj(app.store.project.surface)) },
+      run: () => download(`${fileNameOf(app.store.project)}.obj`, surfaceAsObj(app.store.project.surface)) },
     { id: 'page.share', label: 'Copy the link', icon: 'share', keys: ['Shift+S'], enabled: () => app.store.project.preset !== undefined,
       run: () => void tryToCopy(app, location.href.replace(/#.*$/, '') + toFragment(app.store.project), 'The link is copied.') });
   const code = createCode(app);
