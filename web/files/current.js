@@ -1,14 +1,23 @@
-// The mesh that may leave the page: that of the drawing as it is now.
+// The mesh that may leave the page: that of what is on the screen as it is now.
 /** @import { App } from '../app' */
 /** @import { MeshResult } from '../types' */
 import { haveSameMesh } from '../state/project.js';
 
-/** @param {Pick<App, 'runner' | 'store'>} app  @returns {{mesh: MeshResult, reason: ''} | {mesh: null, reason: string}} */
-export function currentMesh({ runner: { run }, store }) {
-  const own = run.project !== null && haveSameMesh(run.project, store.project);
-  if (store.gesture !== '') return { mesh: null, reason: 'The drawing is still changing.' };
-  if (!own) return { mesh: null, reason: 'The mesh on the screen is of an older drawing.' };
-  if (run.result) return { mesh: run.result, reason: '' };
-  if (run.error) return { mesh: null, reason: `There is no mesh: ${run.error.message}` };
-  return { mesh: null, reason: run.phase === 'playing' ? 'The mesh is not finished yet.' : 'The mesh is not finished yet: run it to the end first.' };
+/**
+ * The mesh, or why there is none.
+ * @template M  @param {{phase: string, result: M | null, error: {message: string} | null}} run
+ * @param {boolean} own  whether the run is of what is on the screen  @param {boolean} changing  by a gesture under way
+ * @returns {{mesh: M, reason: ''} | {mesh: null, reason: string}}
+ */
+export function meshOf({ phase, result, error }, own, changing) {
+  if (changing) return { mesh: null, reason: 'What is to be meshed is still changing.' };
+  if (!own) return { mesh: null, reason: 'The mesh on the screen is out of date.' };
+  if (result) return { mesh: result, reason: '' };
+  if (error) return { mesh: null, reason: `There is no mesh: ${error.message}` };
+  const going = phase === 'playing' || phase === 'running';
+  return { mesh: null, reason: going ? 'The mesh is not finished yet.' : 'The mesh is not finished yet: run it to the end first.' };
 }
+
+/** @param {Pick<App, 'runner' | 'store'>} app  @returns {{mesh: MeshResult, reason: ''} | {mesh: null, reason: string}} */
+export const currentMesh = ({ runner: { run }, store }) =>
+  meshOf(run, run.project !== null && haveSameMesh(run.project, store.project), store.gesture !== '');

@@ -1,13 +1,20 @@
 // The Files tab: what leaves the page.
 /** @import { App } from '../app' */
+/** @import { OptionInfo } from 'lpquad' */
 import { h } from '../panels/dom.js';
+import { toCommand } from './code/command.js';
+import { toCpp } from './code/cpp.js';
+import { toJavaScript } from './code/javascript.js';
 import { createCode } from './code/panel.js';
+import { currentMesh } from './current.js';
 import { createExport } from './export.js';
+import { fileNameOf } from './names.js';
 import { createPictures } from './pictures.js';
+import { installTab } from './tab.js';
 
 /** @param {App} app */
 export function installFiles(app) {
-  const { actions, runner, store, tabs } = app;
+  const { actions, store } = app;
   const pictures = createPictures(app);
   const project = h('section', null, h('h2', null, 'Project'),
     h('p', { className: 'quiet' }, 'Drawing, options and layers, to open again or to pass on.'),
@@ -15,18 +22,19 @@ export function installFiles(app) {
   const native = h('section', null, h('h2', null, 'A native run'),
     h('p', { className: 'quiet' }, 'The folder that lpquad mesh … --stages DIR wrote, to step through.'),
     h('div', { className: 'buttons' }, actions.button('file.stages', { labelled: true })));
-  const body = tabs.add('files', 'Files', pictures.element, project);
-  const parts = [pictures];
-  const refresh = () => { if (!body.hidden) for (const part of parts) part.refresh(); };
-  store.subscribe(refresh);
-  runner.subscribe(refresh);
-  tabs.subscribe(refresh);
-  void runner.engine().then((engine) => engine.ready()).then((description) => {
-    const more = [createExport(app, description), createCode(app, description.options)];
-    parts.push(...more);
-    body.prepend(more[0].element);
-    body.append(more[1].element, native);
-    actions.refresh();
-    refresh();
-  }, () => {});  // without the mesher there is nothing to write; the run says why
+  const exporting = { ...app, current: () => currentMesh(app), name: () => fileNameOf(store.project) };
+  installTab(app, [pictures, { element: project }], ({ meshFormats, options, writeOptions }) => ({
+    above: [createExport(exporting, meshFormats, writeOptions)],
+    below: [createCode(app, languagesOf(app, options), 'Makes the same mesh, bit for bit.'), { element: native }],
+  }));
+}
+
+/** @param {App} app  @param {OptionInfo[]} known */
+function languagesOf({ store }, known) {
+  const by = (/** @type {typeof toCpp} */ write) => () => write(store.project, known, fileNameOf(store.project));
+  return {
+    javascript: { title: 'JavaScript', write: by(toJavaScript) },
+    cpp: { title: 'C++', write: by(toCpp) },
+    command: { title: 'Command line', write: by(toCommand) },
+  };
 }

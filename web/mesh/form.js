@@ -4,13 +4,14 @@
 /** @import { Field, Give } from './fields.js' */
 /** @import { Value } from './options.js' */
 import { h } from '../panels/dom.js';
+import { whenDescribed } from '../run/description.js';
 import { createField } from './fields.js';
 import { nameOfOption, valueOf, withOption } from './options.js';
 
 /**
  * What the form needs of a page, plane or space.
- * @typedef {{store: import('../state/store.js').Store<any>, tabs: import('../panels/tabs.js').Tabs, runner: {
- *   engine: () => Promise<import('lpquad/worker').LpquadWorker>, subscribe: (listener: (run: {state: unknown}) => void) => () => void}}} Page
+ * @typedef {{store: import('../state/store.js').Store<any>, tabs: import('../panels/tabs.js').Tabs,
+ *   runner: import('../run/description.js').Described}} Page
  * @typedef {(info: OptionInfo, give: Give) => Field} MakeField
  */
 
@@ -19,14 +20,7 @@ import { nameOfOption, valueOf, withOption } from './options.js';
  * @param {Record<string, MakeField>} special  options with a control of their own */
 export function installForm({ store, tabs, runner }, optionsOf, main, special) {
   const body = tabs.add('mesh', 'Mesh', h('p', { className: 'quiet' }, 'Loading the mesher …'));
-  const load = async () => {
-    try {
-      body.replaceChildren(createForm(store, optionsOf(await (await runner.engine()).ready()), main, special));
-      stop();
-    } catch { /* the run says so, and tries again */ }
-  };
-  const stop = runner.subscribe(({ state }) => { if (state !== null) void load(); });
-  void load();
+  whenDescribed(runner, (description) => body.replaceChildren(createForm(store, optionsOf(description), main, special)));
 }
 
 /** @param {Page['store']} store  @param {OptionInfo[]} infos  @param {string[]} main  @param {Record<string, MakeField>} special */

@@ -65,3 +65,13 @@ export const sizeFor = (surface, quads) => Number(Math.sqrt(areaOf(surface) / qu
 
 /** @param {string} name  @param {Surface} surface  @param {number} [quads]  @returns {Pick<Work, 'name' | 'surface' | 'options' | 'preset'>} */
 export const workOf = (name, surface, quads = 3000) => ({ name, surface, options: { size: sizeFor(surface, quads) }, preset: undefined });
+
+/** Whether two works have the same mesh. @param {Work} a  @param {Work} b */
+export const haveSameMesh = (a, b) => a.surface === b.surface && sameOptions(a.options, b.options);
+
+/** A slider that comes back to where it was has made new options with the old values.
+ * @param {Record<string, any>} a  @param {Record<string, any>} b */
+function sameOptions(a, b) {
+  const names = new Set([...Object.keys(a), ...Object.keys(b)]);
+  return a === b || [...names].every((name) => a[name] === b[name]);
+}

@@ -1,86 +1,60 @@
-// The Files tab: the mesh in every format that has room for a third coordinate, and a picture.
+// The Files tab: the mesh in every format that has room for a third coordinate, the surface, code, and a picture.
 /** @import { SpaceApp } from '../types' */
-/** @import { SurfaceMeshFormat } from 'lpquad' */
+/** @import { OptionInfo } from 'lpquad' */
 import { surfaceAsObj } from 'lpquad/cad';
+import { createCode } from '../../files/code/panel.js';
+import { meshOf } from '../../files/current.js';
 import { copy, download } from '../../files/download.js';
-import { formats } from '../../files/formats.js';
+import { createExport } from '../../files/export.js';
+import { installTab } from '../../files/tab.js';
 import { h } from '../../panels/dom.js';
-import { icon } from '../../panels/icons.js';
 import { fileNameOf, toCommand, toJavaScript } from '../model/code.js';
 import { toFragment } from '../model/link.js';
+import { haveSameMesh } from '../model/work.js';
 
 /** @param {SpaceApp} app */
 export function installFilesTab(app) {
-  const { actions, runner, viewer } = app;
-  actions.add({ id: 'file.picture', label: 'Picture as PNG', icon: 'picture', enabled: () => viewer.renderer !== null,
-    run: () => viewer.canvas.toBlob((blob) => { if (blob) download(`${fileNameOf(app.store.project)}.png`, blob, 'image/png'); }) });
+  const { store } = app;
+  addActions(app);
+  const exporting = { ...app, current: () => currentMesh(app), name: () => fileNameOf(store.project) };
+  installTab(app, [section(app, 'Surface', 'file.surface', 'page.share'), section(app, 'Picture', 'file.picture')],
+    ({ surfaceMeshFormats, surfaceOptions, writeOptions }) => ({
+      // The elements of a surface are shells: there is nothing to choose.
+      above: [createExport(exporting, surfaceMeshFormats, writeOptions.filter(({ name }) => name !== 'inpElement'))],
+      below: [createCode(app, languagesOf(app, surfaceOptions), 'Makes the same mesh, bit for bit, from the file of the surface.')],
+    }));
+}
+
+/** @param {Pick<SpaceApp, 'runner' | 'store'>} app */
+const currentMesh = ({ runner: { run }, store }) =>
+  meshOf(run, run.work !== null && haveSameMesh(run.work, store.project), store.gesture !== '');
+
+/** @param {SpaceApp} app  @param {string} title  @param {...string} ids  actions */
+const section = ({ actions }, title, ...ids) => ({ element: h('section', null, h('h2', null, title),
+  h('div', { className: 'buttons' }, ...ids.map((id) => actions.button(id, { labelled: true })))) });
+
+/** @param {SpaceApp} app */
+function addActions({ actions, announce, notify, store, viewer }) {
+  const save = (/** @type {string} */ ending, /** @type {BlobPart} */ content, /** @type {string} */ type) => {
+    const name = `${fileNameOf(store.project)}.${ending}`;
+    download(name, content, type);
+    announce(`Saved as ${name}`);
+  };
+  const copyLink = async () => {
+    const copied = await copy(location.href.replace(/#.*$/, '') + toFragment(store.project));
+    notify(copied ? 'The link is copied.' : 'This browser does not let the page copy. The link is in the address bar.');
+  };
   actions.add(
-    { id: 'file.surface', label: 'Surface as OBJ', icon: 'download',
-      run: () => download(`${fileNameOf(app.store.project)}.obj`, surfaceAsObj(app.store.project.surface)) },
-    { id: 'page.share', label: 'Copy the link', icon: 'share', keys: ['Shift+S'], enabled: () => app.store.project.preset !== undefined,
-      run: () => void tryToCopy(app, location.href.replace(/#.*$/, '') + toFragment(app.store.project), 'The link is copied.') });
-  const code = createCode(app);
-  const list = h('ul', { className: 'formats' });
-  const reason = h('p', { className: 'reason', id: 'export-reason' });
-  app.tabs.add('files', 'Files', h('section', null, h('h2', null, 'Mesh'), reason, list),
-    h('section', null, h('h2', null, 'Surface'), h('div', { className: 'buttons' },
-      actions.button('file.surface', { labelled: true }), actions.button('page.share', { labelled: true }))),
-    code.element, h('section', null, h('h2', null, 'Picture'), h('div', { className: 'buttons' }, actions.button('file.picture', { labelled: true }))));
-  const refresh = async () => {
-    const ready = runner.run.result !== null;
-    reason.hidden = ready;
-    reason.textContent = ready ? '' : 'There is a mesh to save once the run is done.';
-    for (const button of list.querySelectorAll('button')) button.setAttribute('aria-disabled', String(!ready));
-    if (list.childElementCount > 0 || !ready) return;
-    const { surfaceMeshFormats } = await (await runner.engine()).ready();
-    if (list.childElementCount === 0) list.append(...surfaceMeshFormats.map((format) => row(app, format)));
-  };
-  runner.subscribe(() => void refresh());
-  void refresh();
+    { id: 'file.surface', label: 'Surface as OBJ', icon: 'download', run: () => save('obj', surfaceAsObj(store.project.surface), 'text/plain') },
+    { id: 'page.share', label: 'Copy the link', icon: 'share', keys: ['Shift+S'], enabled: () => store.project.preset !== undefined,
+      run: () => void copyLink() },
+    { id: 'file.picture', label: 'Picture as PNG', icon: 'picture', enabled: () => viewer.renderer !== null,
+      run: () => viewer.canvas.toBlob((blob) => { if (blob) save('png', blob, 'image/png'); }) },
+  );
 }
 
-/** @param {SpaceApp} app  @param {SurfaceMeshFormat} format */
-function row(app, format) {
-  const { title, use } = formats[format] ?? { title: format.toUpperCase(), use: '' };
-  return h('li', null, h('button', { type: 'button', 'data-format': format, 'aria-label': `Download .${format}`,
-    'aria-describedby': 'export-reason', onclick: () => void save(app, format) }, icon('download'), `.${format}`),
-  h('span', null, h('strong', null, title), ` – ${use}`));
-}
-
-/** @param {SpaceApp} app  @param {string} text  @param {string} said */
-async function tryToCopy({ notify }, text, said) {
-  notify(await copy(text) ? said : 'This browser does not let the page copy.');
-}
-
-/** "Copy as code". @param {SpaceApp} app */
-function createCode(app) {
-  const text = h('code'), view = h('pre', { className: 'code', tabIndex: 0, 'aria-label': 'Code', role: 'region' }, text);
-  const language = h('select', { 'aria-label': 'Language', onchange: () => void refresh() },
-    h('option', { value: 'javascript' }, 'JavaScript'), h('option', { value: 'command' }, 'Command line'));
-  const refresh = async () => {
-    const { surfaceOptions } = await (await app.runner.engine()).ready();
-    text.textContent = (language.value === 'command' ? toCommand : toJavaScript)(app.store.project, surfaceOptions);
-  };
-  app.actions.add({ id: 'file.code', label: 'Copy as code', icon: 'copy',
-    run: () => void refresh().then(() => tryToCopy(app, text.textContent ?? '', 'The code is copied.')) });
-  const quietly = () => void refresh().catch(() => {});  // the run says what is wrong with the mesher
-  app.store.subscribe(quietly);
-  quietly();
-  return { element: h('section', null, h('h2', null, 'As code'),
-    h('p', { className: 'quiet' }, 'Makes the same mesh, bit for bit, from the file of the surface.'),
-    h('div', { className: 'buttons' }, language, app.actions.button('file.code', { labelled: true })), view) };
-}
-
-/** @param {SpaceApp} app  @param {SurfaceMeshFormat} format */
-async function save(app, format) {
-  const { result } = app.runner.run;
-  if (result === null) return app.notify('There is a mesh to save once the run is done.');
-  const name = `${fileNameOf(app.store.project)}.${format}`;
-  try {
-    const { report: _, surface: __, ...mesh } = result;
-    download(name, await (await app.runner.engine()).writeMesh(mesh, format), formats[format]?.type);
-    app.announce(`Saved as ${name}`);
-  } catch (error) {
-    app.notify(`${name} could not be written: ${/** @type {Error} */ (error).message}`);
-  }
-}
+/** @param {SpaceApp} app  @param {OptionInfo[]} known */
+const languagesOf = ({ store }, known) => ({
+  javascript: { title: 'JavaScript', write: () => toJavaScript(store.project, known) },
+  command: { title: 'Command line', write: () => toCommand(store.project, known) },
+});
