@@ -40,7 +40,7 @@ test('the size slider goes evenly by ratio over a range that fits the drawing', 
   const ratio = sizeAt(range, 0.5) / sizeAt(range, 0.25);
   assert.ok(Math.abs(sizeAt(range, 0.75) / sizeAt(range, 0.5) - ratio) < 0.05 * ratio);
   assert.equal(placeOf(range, 1e9), 1);
-  assert.match(rangeInWords(info('size')), /drawing's unit/);
+  assert.match(rangeInWords(info('size')), /unit of the coordinates/);
 });
 
 test('the unit ball is where the norm is 1, whatever it is turned by', () => {

@@ -37,11 +37,6 @@ function between(ramp, t) {
   return [at(0), at(1), at(2)];
 }
 
-/** @param {Ramp} ramp  @param {number} t  0 to 1 */
-export function colourAt(ramp, t) {
-  return `rgb(${between(ramp, t)})`;
-}
-
 /** The ramp as a CSS image, for legends. @param {Ramp} ramp */
 export const gradientOf = (ramp) => `linear-gradient(to right, ${ramp.map((colour) => `rgb(${colour})`)})`;
 

@@ -2,9 +2,7 @@
 /** @import { LegendItem } from '../draw/legend.js' */
 import { cornersOf } from '../draw/marks.js';
 import { gradientOf } from '../draw/palette.js';
-import { h } from '../panels/dom.js';
-
-const namespace = 'http://www.w3.org/2000/svg';
+import { h, s } from '../panels/dom.js';
 
 /** Puts the items there, unless they are there already. @param {HTMLElement} legend  @param {LegendItem[]} items */
 export function showLegend(legend, items) {
@@ -27,14 +25,7 @@ export function legendElement(item) {
 /** @param {Exclude<LegendItem, {kind: 'ramp'}>} item */
 function swatch(item) {
   if (item.kind === 'text') return null;
-  const svg = document.createElementNS(namespace, 'svg');
-  svg.setAttribute('viewBox', '-10 -10 20 20');
-  svg.setAttribute('class', 'swatch');
-  svg.setAttribute('aria-hidden', 'true');
-  const path = document.createElementNS(namespace, 'path');
-  for (const [name, value] of Object.entries(attributesOf(item))) path.setAttribute(name, String(value));
-  svg.append(path);
-  return svg;
+  return s('svg', { viewBox: '-10 -10 20 20', class: 'swatch', 'aria-hidden': 'true' }, s('path', attributesOf(item)));
 }
 
 /** @param {Exclude<LegendItem, {kind: 'ramp' | 'text'}>} item  @returns {Record<string, string | number>} */

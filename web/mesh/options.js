@@ -57,7 +57,7 @@ export function rangeInWords({ type, min, max, unit }) {
   const bounded = max !== undefined && max < 1e15;
   const range = min === undefined ? '' : bounded ? `${inWords(min)} to ${inWords(max)}` : `${inWords(min)} or more`;
   const kind = type === 'integer' ? 'whole number' : '';
-  return [kind, range, unit === 'length' ? "in the drawing's unit" : unit].filter(Boolean).join(', ');
+  return [kind, range, unit === 'length' ? 'in the unit of the coordinates' : unit].filter(Boolean).join(', ');
 }
 
 /** Sizes that make sense for a drawing. @param {Drawing} drawing */

@@ -1,5 +1,6 @@
 // Pictures for buttons, drawn in lines on a grid of 24 × 24. Not characters of a font: not every
 // machine has them.
+import { s } from './dom.js';
 
 const square = 'M5 5h14v14H5z', down = 'M12 4v11m-5-4 5 5 5-5', frame = 'M4 5h16v14H4z';
 
@@ -70,17 +71,7 @@ export const icons = {
 
 /** @typedef {keyof typeof icons} IconName */
 
-const namespace = 'http://www.w3.org/2000/svg';
-
 /** Hidden from screen readers: what is beside it, or the button's name, says it. @param {IconName} name */
 export function icon(name) {
-  const svg = document.createElementNS(namespace, 'svg');
-  const path = document.createElementNS(namespace, 'path');
-  svg.setAttribute('viewBox', '0 0 24 24');
-  svg.setAttribute('class', 'icon');
-  svg.setAttribute('aria-hidden', 'true');
-  svg.setAttribute('data-icon', name);
-  path.setAttribute('d', icons[name]);
-  svg.append(path);
-  return svg;
+  return s('svg', { viewBox: '0 0 24 24', class: 'icon', 'aria-hidden': 'true', 'data-icon': name }, s('path', { d: icons[name] }));
 }

@@ -2,19 +2,11 @@
 /** @import { App } from '../app' */
 /** @import { Preset } from './presets.js' */
 /** @import { Point, Project } from '../types' */
-import { h } from '../panels/dom.js';
+import { h, s } from '../panels/dom.js';
 import { boxOfDrawing } from './model/drawing.js';
 import { presets } from './presets.js';
 
-const namespace = 'http://www.w3.org/2000/svg';
 const width = 96, height = 64, margin = 5;
-
-/** @param {string} name  @param {Record<string, string>} attributes */
-function shape(name, attributes) {
-  const element = document.createElementNS(namespace, name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  return element;
-}
 
 /** Path data of a project's outlines, lines and given points. @param {Pick<Project, 'drawing' | 'seedPoints'>} project */
 export function thumbnailPaths({ drawing, seedPoints }) {
@@ -34,11 +26,9 @@ export function thumbnailPaths({ drawing, seedPoints }) {
 /** @param {Preset} preset */
 function thumbnail({ project }) {
   const { areas, lines, dots } = thumbnailPaths(project);
-  const svg = shape('svg', { viewBox: `0 0 ${width} ${height}`, class: 'thumbnail', 'aria-hidden': 'true' });
-  for (const [i, d] of areas.entries()) svg.append(shape('path', { d, class: `area area-${i % 2}`, 'fill-rule': 'evenodd' }));
-  if (lines) svg.append(shape('path', { d: lines, class: 'line' }));
-  if (dots) svg.append(shape('path', { d: dots, class: 'dots' }));
-  return svg;
+  return s('svg', { viewBox: `0 0 ${width} ${height}`, class: 'thumbnail', 'aria-hidden': 'true' },
+    ...areas.map((d, i) => s('path', { d, class: `area area-${i % 2}`, 'fill-rule': 'evenodd' })),
+    lines !== '' && s('path', { d: lines, class: 'line' }), dots !== '' && s('path', { d: dots, class: 'dots' }));
 }
 
 /** @param {App} app */

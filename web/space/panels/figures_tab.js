@@ -41,7 +41,6 @@ export function installFiguresTab({ runner, tabs }) {
 /** @param {import('lpquad').SurfaceReport} report  @returns {import('../../figures/statistics.js').Figures} */
 function figuresOf({ quality, vertices, quads, triangles, singularities, size, hash }) {
   const { etaMean, etaMin, etaP5, fourValentPercent, interiorVertices, valenceHistogram } = quality;
-  return { final: true, etaMean, etaMin, etaP5, fourValentPercent, vertices, quads, triangles, hash, size,
-    singularities: Array.isArray(singularities) ? singularities.length : singularities,
+  return { final: true, etaMean, etaMin, etaP5, fourValentPercent, vertices, quads, triangles, hash, size, singularities,
     irregular: interiorVertices - (valenceHistogram[4] ?? 0) };
 }
