@@ -3,6 +3,7 @@
 /** @import { LayerName } from '../types' */
 import { legendOf } from '../draw/legend.js';
 import { h } from '../panels/dom.js';
+import { atNextPicture } from '../panels/next_picture.js';
 import { showLegend } from './legend.js';
 import { inOrder, layerNames } from './names.js';
 
@@ -52,17 +53,4 @@ export function installLayers(app) {
   runner.subscribe(refresh);
   themes.subscribe(refresh);
   refresh();
-}
-
-/** However often it is called: once per picture. @param {() => void} work */
-function atNextPicture(work) {
-  let waiting = false;
-  return () => {
-    if (waiting) return;
-    waiting = true;
-    requestAnimationFrame(() => {
-      waiting = false;
-      work();
-    });
-  };
 }

@@ -5,6 +5,7 @@
 /** @import { Sketch } from './sketch.js' */
 /** @import { Tools } from './tools.js' */
 import { h } from '../panels/dom.js';
+import { atNextPicture } from '../panels/next_picture.js';
 import { numberField } from './fields.js';
 import { createGallery } from './gallery.js';
 import { selectionSection } from './selection_fields.js';
@@ -34,16 +35,7 @@ export function installDomainTab(app, sketch, tools) {
     snapping.refresh();
   }
 
-  // Not at every step of a drag: the next frame is soon enough.
-  let waiting = false;
-  const soon = () => {
-    if (waiting) return;
-    waiting = true;
-    requestAnimationFrame(() => {
-      waiting = false;
-      refresh();
-    });
-  };
+  const soon = atNextPicture(refresh);  // not at every step of a drag
   sketch.subscribe(soon);
   app.store.subscribe(soon);
   app.tabs.add('domain', 'Domain',

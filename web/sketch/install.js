@@ -1,7 +1,7 @@
 // Everything for drawing a domain.
 /** @import { App } from '../app' */
 import { installDomainTab } from './domain_tab.js';
-import { installErrorBar } from './error_bar.js';
+import { ErrorBar } from './error_bar.js';
 import { drawGrid, drawGuides, drawMeetings } from './marks.js';
 import { installOpening } from './open.js';
 import { Sketch } from './sketch.js';
@@ -18,7 +18,7 @@ export function installSketch(app) {
   );
   const tools = makeTools(sketch);
   installTools(app, sketch, tools);
-  const bar = installErrorBar(app, sketch);
-  installOpening(app, bar.show);
+  const bar = new ErrorBar(app, sketch);
+  installOpening(app, (notice) => bar.show(notice));
   installDomainTab(app, sketch, tools);
 }

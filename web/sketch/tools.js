@@ -5,7 +5,7 @@
 /** @import { Sketch } from './sketch.js' */
 import { guideTool, sizeBrush } from './tools/brushes.js';
 import { circleTool, freehandTool, rectangleTool } from './tools/drag_shapes.js';
-import { editTool } from './tools/edit.js';
+import { EditTool } from './tools/edit.js';
 import { pointsTool, pointTool } from './tools/points.js';
 
 /** @typedef {{tool: Tool, label: string, icon: IconName, key: string, hint: string}} ToolEntry */
@@ -16,7 +16,7 @@ export function makeTools(sketch) {
   const brush = sizeBrush(sketch), guide = guideTool(sketch);
   /** @type {ToolEntry[]} */
   const entries = [
-    { tool: editTool(sketch), label: 'Edit', icon: 'edit', key: 'V',
+    { tool: new EditTool(sketch), label: 'Edit', icon: 'edit', key: 'V',
       hint: 'Drag a vertex; click an edge to add one. Keys on the stage: N and P choose, arrows move, Insert, Delete.' },
     { tool: polygon, label: 'Outline by points', icon: 'polygon', key: 'P',
       hint: 'Click the corners; click the first again, or press Enter, to close. Backspace takes the last one back.' },

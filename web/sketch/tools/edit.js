@@ -35,25 +35,30 @@ function neighbours(drawing, place) {
 
 /** @typedef {{gesture: string, label: string, from: Point, base: import('../../types').Drawing, whole: Place | null, places: Place[], start: Point}} Drag */
 
-/** @param {Sketch} sketch  @returns {Tool} */
-export function editTool(sketch) {
+/** @implements {Tool} */
+export class EditTool {
+  id = 'edit';
+  #sketch;
   /** @type {Drag | null} */
-  let drag = null;
+  #drag = null;
 
-  /** @param {Place} place  @param {Point} at  @param {boolean} whole  @param {string} label @param {string} gesture */
-  function begin(place, at, whole, label, gesture) {
-    const base = sketch.drawing;
-    const start = /** @type {Point} */ (model.vertexAt(base, place));
-    drag = { gesture, label, from: at, base, whole: whole ? place : null, places: model.placesAt(base, start), start };
-    sketch.select(place);
+  /** @param {Sketch} sketch */
+  constructor(sketch) {
+    this.#sketch = sketch;
+  }
+
+  /** The vertex under the pointer, else the edge. @param {Point} at  @param {PointerEvent} event  @param {number} pixel */
+  #under(at, event, pixel) {
+    const reach = reachOf(event) * pixel, { drawing } = this.#sketch;
+    const vertex = nearestVertex(drawing, at, reach);
+    return { vertex, edge: vertex ? null : nearestEdge(drawing, at, 0.7 * reach) };
   }
 
   /** @param {Point} at  @param {PointerEvent} event  @param {number} pixel */
-  function down(at, event, pixel) {
-    const reach = reachOf(event) * pixel;
+  down(at, event, pixel) {
+    const sketch = this.#sketch;
     const whole = sketch.whole || event.ctrlKey || event.metaKey;
-    const vertex = nearestVertex(sketch.drawing, at, reach);
-    const edge = vertex ? null : nearestEdge(sketch.drawing, at, 0.7 * reach);
+    const { vertex, edge } = this.#under(at, event, pixel);
     const place = vertex ?? edge?.place;
     if (!place) {
       sketch.select(null);
@@ -63,13 +68,34 @@ export function editTool(sketch) {
     if (edge && !whole) {
       const added = { ...edge.place, vertex: edge.place.vertex + 1 };
       sketch.change('Add a vertex', model.addVertex(sketch.drawing, edge.place, edge.at), gesture);
-      begin(added, at, false, 'Add a vertex', gesture);
-    } else begin(place, at, whole, whole ? 'Move an outline' : 'Move a vertex', gesture);
+      this.#begin(added, at, false, 'Add a vertex', gesture);
+    } else this.#begin(place, at, whole, whole ? 'Move an outline' : 'Move a vertex', gesture);
     return true;
   }
 
+  /** @param {Place} place  @param {Point} at  @param {boolean} whole  @param {string} label @param {string} gesture */
+  #begin(place, at, whole, label, gesture) {
+    const base = this.#sketch.drawing;
+    const start = /** @type {Point} */ (model.vertexAt(base, place));
+    this.#drag = { gesture, label, from: at, base, whole: whole ? place : null, places: model.placesAt(base, start), start };
+    this.#sketch.select(place);
+  }
+
+  /** @param {Point} at  @param {PointerEvent} event  @param {number} pixel */
+  move(at, event, pixel) {
+    if (this.#drag) return this.#follow(this.#drag, at, event, pixel);
+    const sketch = this.#sketch;
+    const { vertex, edge } = this.#under(at, event, pixel);
+    if (JSON.stringify(vertex) !== JSON.stringify(sketch.hovered)) {
+      sketch.hovered = vertex;
+      sketch.stage.invalidate('overlay');
+    }
+    sketch.stage.overlay.style.cursor = vertex || (edge && sketch.whole) ? 'move' : edge ? 'copy' : 'default';
+  }
+
   /** @param {Drag} now  @param {Point} at  @param {PointerEvent} event  @param {number} pixel */
-  function follow(now, at, event, pixel) {
+  #follow(now, at, event, pixel) {
+    const sketch = this.#sketch;
     /** @type {Point} */
     const wanted = [now.start[0] + at[0] - now.from[0], now.start[1] + at[1] - now.from[1]];
     const own = (/** @type {Place} */ p) => now.places.some(({ region }) => region === p.region);
@@ -80,47 +106,27 @@ export function editTool(sketch) {
     sketch.change(now.label, moved, now.gesture);
   }
 
-  /** @param {Point} at  @param {PointerEvent} event  @param {number} pixel */
-  function move(at, event, pixel) {
-    if (drag) return follow(drag, at, event, pixel);
-    const reach = reachOf(event) * pixel;
-    const vertex = nearestVertex(sketch.drawing, at, reach);
-    const edge = vertex ? null : nearestEdge(sketch.drawing, at, 0.7 * reach);
-    if (JSON.stringify(vertex) !== JSON.stringify(sketch.hovered)) {
-      sketch.hovered = vertex;
-      sketch.stage.invalidate('overlay');
-    }
-    sketch.stage.overlay.style.cursor = vertex || (edge && sketch.whole) ? 'move' : edge ? 'copy' : 'default';
+  up() {
+    if (this.#drag === null) return;
+    this.#drag = null;
+    this.#sketch.snapped = null;
+    this.#sketch.store.settle();
+    this.#sketch.changed();
   }
 
-  function end() {
-    if (drag === null) return;
-    drag = null;
-    sketch.snapped = null;
-    sketch.store.settle();
-    sketch.changed();
-  }
-
-  /** @param {string} key  @param {KeyboardEvent} event */
-  function arrow(key, event) {
-    const { selected } = sketch;
-    const at = selected && model.vertexAt(sketch.drawing, selected);
-    if (!selected || !at) return false;
-    const step = gridSizeOf(sketch.snapping, sketch.stage.pixel) * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
-    const [dx, dy] = /** @type {Record<string, Point>} */ ({ ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] })[key];
-    const tidy = (/** @type {number} */ v) => Number(v.toPrecision(14));
-    const moved = sketch.whole ? model.shiftPath(sketch.drawing, selected, dx, dy)
-      : model.moveVertex(sketch.drawing, selected, [tidy(at[0] + dx), tidy(at[1] + dy)]);
-    sketch.nudge(sketch.whole ? 'Move an outline' : 'Move a vertex', moved, `${selected.region} ${selected.loop} ${selected.vertex}`);
-    return true;
+  cancel() {
+    const { store } = this.#sketch;
+    if (this.#drag && store.gesture === this.#drag.gesture) store.undo();
+    this.up();
   }
 
   /** @param {KeyboardEvent} event */
-  function key(event) {
+  key(event) {
+    const sketch = this.#sketch;
     const name = event.key.length === 1 ? event.key.toUpperCase() : event.key;
     if (event.ctrlKey || event.metaKey || (event.shiftKey && name.length === 1)) return false;
     if (name === 'N' || name === 'P') sketch.selectNext(name === 'N' ? 1 : -1);
-    else if (name.startsWith('Arrow')) return arrow(name, event);
+    else if (name.startsWith('Arrow')) return moveByKey(sketch, name, event);
     else if (sketch.selected === null) return false;
     else if (name === 'Insert') insertAfter(sketch);
     else if (name === 'Delete' || name === 'Backspace') removeSelected(sketch);
@@ -129,14 +135,24 @@ export function editTool(sketch) {
     return true;
   }
 
-  return {
-    id: 'edit', down, move, key, up: end,
-    cancel: () => {
-      if (drag && sketch.store.gesture === drag.gesture) sketch.store.undo();
-      end();
-    },
-    draw: (context, view) => drawEditing(context, view, sketch),
-  };
+  /** @param {CanvasRenderingContext2D} context  @param {import('../../types').View} view */
+  draw(context, view) {
+    drawEditing(context, view, this.#sketch);
+  }
+}
+
+/** By an arrow key, whether there is something to move. @param {Sketch} sketch  @param {string} key  @param {KeyboardEvent} event */
+function moveByKey(sketch, key, event) {
+  const { selected, drawing, whole } = sketch;
+  const at = selected && model.vertexAt(drawing, selected);
+  if (!selected || !at) return false;
+  const step = gridSizeOf(sketch.snapping, sketch.stage.pixel) * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
+  const [dx, dy] = /** @type {Record<string, Point>} */ ({ ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] })[key];
+  const tidy = (/** @type {number} */ v) => Number(v.toPrecision(14));
+  const moved = whole ? model.shiftPath(drawing, selected, dx, dy)
+    : model.moveVertex(drawing, selected, [tidy(at[0] + dx), tidy(at[1] + dy)]);
+  sketch.nudge(whole ? 'Move an outline' : 'Move a vertex', moved, `${selected.region} ${selected.loop} ${selected.vertex}`);
+  return true;
 }
 
 /** A vertex in the middle of the edge after the chosen one. @param {Sketch} sketch */
