@@ -20,7 +20,7 @@ import { installMeshTab } from './panels/mesh_tab.js';
 import { installSurfaceTab } from './panels/surface_tab.js';
 import { installFollowing } from './run/follow.js';
 import { SurfaceRunner, shareOf, stageInWords } from './run/runner.js';
-import { installPlanes } from './view/planes.js';
+import { Planes } from './view/planes.js';
 import { installScene } from './view/scene.js';
 import { Viewer } from './view/viewer.js';
 
@@ -40,7 +40,7 @@ const app = {
     if (app.pointed.chart === chart) return;
     app.pointed.chart = chart;
     refreshScene();
-    refreshPlanes();
+    planes.refresh();
   },
 };
 
@@ -69,7 +69,7 @@ installTitle(app, ['edit.undo', 'edit.redo', 'view.fit', 'page.theme', 'page.hel
 const progress = h('progress', { max: 1, 'aria-label': 'Progress' }), stageName = h('span', { className: 'stage-name' });
 element('timeline').append(actions.button('run.again'), actions.button('run.pause'), actions.button('run.step'), actions.button('run.cancel'), progress, stageName);
 
-const refreshPlanes = installPlanes(app, element('plane-view'));
+const planes = new Planes(app, element('plane-view'));
 const refreshScene = installScene(app);
 viewer.pointed = (triangle) => {
   const { charts } = runner.run.frame;
@@ -80,7 +80,7 @@ const refresh = () => {
   progress.value = shareOf(runner.run);
   setText(stageName, stageInWords(runner.run));
   actions.refresh();
-  refreshPlanes();
+  planes.refresh();
 };
 let phase = runner.run.phase;
 runner.subscribe((run) => {
@@ -92,7 +92,7 @@ runner.subscribe((run) => {
 });
 store.subscribe(refresh);
 store.subscribe(whenRested(() => history.replaceState(null, '', toFragment(store.project) || location.pathname + location.search)));
-themes.subscribe(refreshPlanes);
+themes.subscribe(() => planes.refresh());
 actions.listen(window);
 addEventListener('hashchange', ({ newURL }) => store.change('Open a link', fromFragment(new URL(newURL).hash)));
 Object.assign(globalThis, { playground: app });  // for the browser's console

@@ -3,85 +3,100 @@
 /** @import { Layout } from './layout.js' */
 import { once } from '../../draw/once.js';
 import { dark, light } from '../../draw/palette.js';
+import { atNextPicture } from '../../panels/next_picture.js';
 import { cellColours, chartColour } from './geometry.js';
 import { layOut, quadsInPlanes } from './layout.js';
 
 const margin = 12;
 
-/** @param {SpaceApp} app  @param {HTMLElement} element  holds the canvas */
-export function installPlanes(app, element) {
-  const canvas = /** @type {HTMLCanvasElement} */ (element.querySelector('canvas'));
-  /** @type {{charts: unknown, aspect: number, layout: Layout} | null} */
-  let known = null;
-  let scheduled = false;
+/** @typedef {NonNullable<import('lpquad').SurfaceSnapshot['charts']>} Charts */
 
-  function layoutNow() {
-    const { charts } = app.runner.run.frame;
-    const { width, height } = element.getBoundingClientRect();
+export class Planes {
+  #app;
+  #element;
+  #canvas;
+  /** @type {{charts: unknown, aspect: number, layout: Layout} | null} */
+  #known = null;
+  /** What the picture shows. @type {unknown[]} */
+  #drawn = [];
+  #invalidate = atNextPicture(() => this.#paint());
+
+  /** @param {SpaceApp} app  @param {HTMLElement} element  holds the canvas */
+  constructor(app, element) {
+    this.#app = app;
+    this.#element = element;
+    this.#canvas = /** @type {HTMLCanvasElement} */ (element.querySelector('canvas'));
+    for (const name of /** @type {const} */ (['pointermove', 'pointerdown']))
+      this.#canvas.addEventListener(name, (event) => app.point(this.#chartAt(event)));
+    this.#canvas.addEventListener('pointerleave', () => app.point(-1));
+    this.#canvas.addEventListener('keydown', (event) => this.#key(event));
+    new ResizeObserver(this.#invalidate).observe(element);
+  }
+
+  /** Most steps of a run change nothing here, and tens of thousands of triangles are slow to draw. */
+  refresh() {
+    const { layers, pointed, runner, themes } = this.#app;
+    const { frame: { charts, cells }, result } = runner.run;
+    const depends = [charts, cells, result, pointed.chart, themes.dark, layers().has('cells')];
+    if (depends.every((one, i) => one === this.#drawn[i])) return;
+    this.#drawn = depends;
+    this.#invalidate();
+  }
+
+  /** Where the charts lie on the element now; null: there are none, or no room. */
+  #place() {
+    const { charts } = this.#app.runner.run.frame;
+    const { width, height } = this.#element.getBoundingClientRect();
     if (charts === undefined || width === 0 || height === 0) return null;
-    const aspect = (width - 2 * margin) / (height - 2 * margin);
-    if (known?.charts !== charts || known.aspect !== aspect) known = { charts, aspect, layout: layOut(charts, aspect) };
-    const { layout } = known;
+    const layout = this.#layout(charts, (width - 2 * margin) / (height - 2 * margin));
     const scale = Math.min((width - 2 * margin) / layout.width, (height - 2 * margin) / layout.height);
     return { charts, layout, scale, left: (width - scale * layout.width) / 2, top: (height - scale * layout.height) / 2 };
   }
 
-  function paint() {
-    scheduled = false;
-    element.hidden = app.runner.run.frame.charts === undefined;
-    const { width, height } = element.getBoundingClientRect();
+  /** @param {Charts} charts  @param {number} aspect */
+  #layout(charts, aspect) {
+    if (this.#known?.charts !== charts || this.#known.aspect !== aspect) this.#known = { charts, aspect, layout: layOut(charts, aspect) };
+    return this.#known.layout;
+  }
+
+  #paint() {
+    const canvas = this.#canvas;
+    this.#element.hidden = this.#app.runner.run.frame.charts === undefined;
+    const { width, height } = this.#element.getBoundingClientRect();
     canvas.width = Math.round(width * devicePixelRatio);
     canvas.height = Math.round(height * devicePixelRatio);
     const context = canvas.getContext('2d');
-    const now = layoutNow();
+    const now = this.#place();
     if (context === null || now === null) return;
     context.setTransform(devicePixelRatio * now.scale, 0, 0, devicePixelRatio * now.scale, devicePixelRatio * now.left, devicePixelRatio * now.top);
     context.lineWidth = 1 / now.scale;
     // Triangles of a few pixels: their lines would hide the colour of the chart.
     const triangle = now.scale * Math.sqrt(now.layout.width * now.layout.height / (now.charts.charts.length || 1));
-    drawPlanes(context, now, app, 0.5 * Math.min(1, triangle / 12));
+    drawPlanes(context, now, this.#app, 0.5 * Math.min(1, triangle / 12));
   }
-  const invalidate = () => {
-    if (scheduled) return;
-    scheduled = true;
-    requestAnimationFrame(paint);
-  };
-
-  /** @type {unknown[]} */
-  let drawn = [];
-  /** Most steps of a run change nothing here, and tens of thousands of triangles are slow to draw. */
-  const refresh = () => {
-    const { frame: { charts, cells }, result } = app.runner.run;
-    const depends = [charts, cells, result, app.pointed.chart, app.themes.dark, app.layers().has('cells')];
-    if (depends.every((one, i) => one === drawn[i])) return;
-    drawn = depends;
-    invalidate();
-  };
 
   /** @param {PointerEvent} event */
-  function chartAt({ clientX, clientY }) {
-    const now = layoutNow();
+  #chartAt({ clientX, clientY }) {
+    const now = this.#place();
     if (now === null) return -1;
-    const box = canvas.getBoundingClientRect();
+    const box = this.#canvas.getBoundingClientRect();
     return pick(now.charts.uv, now.layout, (clientX - box.left - now.left) / now.scale, (clientY - box.top - now.top) / now.scale);
   }
-  canvas.addEventListener('pointermove', (event) => app.point(chartAt(event)));
-  canvas.addEventListener('pointerdown', (event) => app.point(chartAt(event)));
-  canvas.addEventListener('pointerleave', () => app.point(-1));
-  canvas.addEventListener('keydown', (event) => {
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    const { announce, point, pointed } = this.#app;
     const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
-    const count = known?.layout.islands.length ?? 0;
+    const count = this.#known?.layout.islands.length ?? 0;
     if (by === undefined || count === 0) return;
     event.preventDefault();
-    app.point(nextChart(app.pointed.chart, by, count));
-    app.announce(`Chart ${app.pointed.chart + 1} of ${count}`);
-  });
-  new ResizeObserver(invalidate).observe(element);
-  return refresh;
+    point(nextChart(pointed.chart, by, count));
+    announce(`Chart ${pointed.chart + 1} of ${count}`);
+  }
 }
 
 /** @param {CanvasRenderingContext2D} context
- * @param {{charts: NonNullable<import('lpquad').SurfaceSnapshot['charts']>, layout: Layout}} planes  @param {SpaceApp} app
+ * @param {{charts: Charts, layout: Layout}} planes  @param {SpaceApp} app
  * @param {number} fade  of the lines of triangles */
 function drawPlanes(context, { charts, layout }, { layers, pointed, runner, themes }, fade) {
   const palette = themes.dark ? dark : light;
