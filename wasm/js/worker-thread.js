@@ -11,100 +11,111 @@ const sliceMilliseconds = 20;
  * @returns {(message: any) => void}  what to call with every message
  */
 export function serve(port, createLpquad) {
-  const sessions = new Map();
-  const cancelled = new Set();
-  let lpquad;
+  const server = new Server(port, createLpquad);
+  return async (message) => {
+    const { id, op } = message;
+    if (op === 'cancel') {
+      server.cancelled.add(id);
+      return;
+    }
+    try {
+      const value = await server.answer(op, message);
+      port.postMessage({ id, value }, buffersOf(value));
+    } catch (error) {
+      port.postMessage({ id, error: portable(error) }, []);
+    } finally {
+      server.cancelled.delete(id);
+    }
+  };
+}
 
-  /** Ticks until the end, `count` or `stop`, with progress and breaths between. */
-  async function advance(id, session, count, withProgress) {
+/** What each `op` of a message does, the message's other members being its arguments. */
+const operations = {
+  async create(server, { source }) {
+    server.lpquad = await server.createLpquad(source);
+    return { ...server.lpquad };  // what it says about itself; private members stay
+  },
+  meshDomain: (server, { id, domain, options, withProgress }) =>
+    server.complete(id, server.lpquad.start(domain, { ...options, memory: false }), withProgress),
+  meshSurface: async (server, { id, surface, options, withProgress }) =>
+    server.complete(id, await server.lpquad.startSurface(surface, options), withProgress),
+  start: (server, { id, domain, options }) => server.keep(id, server.lpquad.start(domain, options)),
+  startSurface: async (server, { id, surface, options }) =>
+    server.keep(id, await server.lpquad.startSurface(surface, options)),
+  async step(server, { id, session, count, withProgress }) {
+    checkWhole(count, 'The number of ticks');
+    await server.advance(id, server.find(session), count, withProgress);
+    return server.find(session).state;
+  },
+  restore: (server, { session, tick }) => server.find(session).restore(tick),
+  snapshot: (server, { session, layers }) => server.find(session).snapshot(layers),
+  async finish(server, { id, session, withProgress }) {
+    await server.advance(id, server.find(session), Infinity, withProgress);
+    return server.find(session).finish();
+  },
+  clone: (server, { id, session }) => server.keep(id, server.find(session).clone()),
+  dispose(server, { session }) {
+    server.sessions.get(session)?.dispose();
+    server.sessions.delete(session);
+  },
+  readSurface: ({ lpquad }, { bytes, options }) => lpquad.readSurface(bytes, options),
+  isSurfaceFile: ({ lpquad }, { bytes, options }) => lpquad.isSurfaceFile(bytes, options),
+  readDomain: ({ lpquad }, { bytes, options }) => lpquad.readDomain(bytes, options),
+  writeMesh: ({ lpquad }, { mesh, format, options }) => lpquad.writeMesh(mesh, format, options),
+};
+
+class Server {
+  sessions = new Map();
+  /** Numbers of the calls that are to end. */
+  cancelled = new Set();
+  lpquad;
+
+  constructor(port, createLpquad) {
+    this.port = port;
+    this.createLpquad = createLpquad;
+  }
+
+  answer(op, message) { return operations[op](this, message); }
+
+  /**
+   * A session is known by the number of the call that made it: no other call ever has it, not even in the
+   * next worker.
+   */
+  keep(id, session) {
+    this.sessions.set(id, session);
+    return { session: id, state: session.state };
+  }
+
+  find(number) {
+    const session = this.sessions.get(number);
+    if (!session) throw new LpquadError('WORKER_LOST', 'This session died with its worker.');
+    return session;
+  }
+
+  /** Ticks until the end or `count`, with progress and breaths between. */
+  async advance(id, session, count, withProgress) {
     let done = 0, slice = 1;
     while (done < count && session.state.stage !== 'done') {
-      if (cancelled.has(id)) throw new LpquadError('CANCELLED', 'The run was cancelled.');
+      if (this.cancelled.has(id)) throw new LpquadError('CANCELLED', 'The run was cancelled.');
       const start = performance.now();
       const { gradientNorm, tau, ...progress } = session.step(Math.min(slice, count - done));
       done += slice;
       const elapsed = performance.now() - start;
       slice = Math.max(1, Math.min(64, Math.round(slice * sliceMilliseconds / (elapsed + 1))));
-      if (withProgress) port.postMessage({ id, progress }, []);
+      if (withProgress) this.port.postMessage({ id, progress }, []);
       await breath();
     }
   }
 
   /** A whole run, by a session of its own. */
-  async function complete(id, session, withProgress) {
+  async complete(id, session, withProgress) {
     try {
-      await advance(id, session, Infinity, withProgress);
+      await this.advance(id, session, Infinity, withProgress);
       return session.finish();
     } finally {
       session.dispose();
     }
   }
-
-  const find = (number) => {
-    const session = sessions.get(number);
-    if (!session) throw new LpquadError('WORKER_LOST', 'This session died with its worker.');
-    return session;
-  };
-
-  const operations = {
-    async create({ source }) {
-      lpquad = await createLpquad(source);
-      return { ...lpquad };  // what it says about itself; private members stay
-    },
-    meshDomain: ({ id, domain, options, withProgress }) =>
-      complete(id, lpquad.start(domain, { ...options, memory: false }), withProgress),
-    meshSurface: async ({ id, surface, options, withProgress }) =>
-      complete(id, await lpquad.startSurface(surface, options), withProgress),
-    // A session is known by the number of the call that made it: no other call ever has it, not
-    // even in the next worker.
-    start({ id, domain, options }) {
-      sessions.set(id, lpquad.start(domain, options));
-      return { session: id, state: find(id).state };
-    },
-    async startSurface({ id, surface, options }) {
-      sessions.set(id, await lpquad.startSurface(surface, options));
-      return { session: id, state: find(id).state };
-    },
-    async step({ id, session, count, withProgress }) {
-      checkWhole(count, 'The number of ticks');
-      await advance(id, find(session), count, withProgress);
-      return find(session).state;
-    },
-    restore: ({ session, tick }) => find(session).restore(tick),
-    snapshot: ({ session, layers }) => find(session).snapshot(layers),
-    async finish({ id, session, withProgress }) {
-      await advance(id, find(session), Infinity, withProgress);
-      return find(session).finish();
-    },
-    clone({ id, session }) {
-      sessions.set(id, find(session).clone());
-      return { session: id, state: find(id).state };
-    },
-    dispose({ session }) {
-      sessions.get(session)?.dispose();
-      sessions.delete(session);
-    },
-    readSurface: ({ bytes, options }) => lpquad.readSurface(bytes, options),
-    isSurfaceFile: ({ bytes, options }) => lpquad.isSurfaceFile(bytes, options),
-    readDomain: ({ bytes, options }) => lpquad.readDomain(bytes, options),
-    writeMesh: ({ mesh, format, options }) => lpquad.writeMesh(mesh, format, options),
-  };
-
-  return async (message) => {
-    const { id, op } = message;
-    if (op === 'cancel') {
-      cancelled.add(id);
-      return;
-    }
-    try {
-      const value = await operations[op](message);
-      port.postMessage({ id, value }, buffersOf(value));
-    } catch (error) {
-      port.postMessage({ id, error: portable(error) }, []);
-    } finally {
-      cancelled.delete(id);
-    }
-  };
 }
 
 /** Lets the worker hear its messages. Not setTimeout: nested, it waits 4 ms. */
