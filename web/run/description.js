@@ -8,12 +8,12 @@
 export function whenDescribed(runner, use) {
   let told = false;
   const ask = async () => {
-    const description = await (await runner.engine()).ready();
-    if (told) return;
+    const description = await runner.engine().then((engine) => engine.ready()).catch(() => null);
+    if (told || description === null) return;
     told = true;
     stop();
     use(description);
   };
-  const stop = runner.subscribe(({ state }) => { if (state !== null) ask().catch(() => {}); });
-  ask().catch(() => {});
+  const stop = runner.subscribe(({ state }) => { if (state !== null) void ask(); });
+  void ask();
 }
