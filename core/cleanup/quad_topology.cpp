@@ -100,17 +100,11 @@ Index corner_of(const Face& face, Index v) {
 }
 
 Csr<Index> faces_at_vertices(const QuadMesh& mesh) {
-  Csr<Index> result;
-  result.offsets.assign(mesh.points.size() + 1, 0);
-  for (const Face& face : mesh.faces)
-    for (int k = 0; k < corner_count(face); ++k) ++result.offsets[face[k] + 1];
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) result.offsets[v + 1] += result.offsets[v];
-  result.values.resize(result.offsets.back());
-  std::vector<Index> next(result.offsets.begin(), result.offsets.end() - 1);
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-    for (int k = 0; k < corner_count(mesh.faces[f]); ++k)
-      result.values[next[mesh.faces[f][k]]++] = static_cast<Index>(f);
-  return result;
+  return csr_from<Index>(mesh.points.size(), [&](auto&& emit) {
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+      for (int k = 0; k < corner_count(mesh.faces[f]); ++k)
+        emit(mesh.faces[f][k], static_cast<Index>(f));
+  });
 }
 
 bool is_strictly_convex(std::span<const Vec2> points, const Face& face) {

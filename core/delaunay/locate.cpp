@@ -84,17 +84,10 @@ Locator::Locator(const TriMesh& mesh) : mesh_(&mesh) {
   columns_ = static_cast<Index>(extent.x / cell_) + 1;
   rows_ = static_cast<Index>(extent.y / cell_) + 1;
 
-  near_.offsets.assign(static_cast<std::size_t>(columns_) * rows_ + 1, 0);
-  const Index triangles = mesh.triangle_count();
-  for (Index t = 0; t < triangles; ++t) {
-    for_cells_of(t, [&](Index cell) { ++near_.offsets[cell + 1]; });
-  }
-  for (std::size_t i = 1; i < near_.offsets.size(); ++i) near_.offsets[i] += near_.offsets[i - 1];
-  near_.values.resize(near_.offsets.back());
-  std::vector<Index> next(near_.offsets.begin(), near_.offsets.end() - 1);
-  for (Index t = 0; t < triangles; ++t) {
-    for_cells_of(t, [&](Index cell) { near_.values[next[cell]++] = t; });
-  }
+  fill_csr(near_, static_cast<std::size_t>(columns_) * rows_, [&](auto&& emit) {
+    for (Index t = 0; t < mesh.triangle_count(); ++t)
+      for_cells_of(t, [&](Index cell) { emit(cell, t); });
+  });
 }
 
 Index Locator::column_of(double x) const {

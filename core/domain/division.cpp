@@ -27,22 +27,15 @@ struct BorderTree {
 BorderTree grow_border_tree(std::span<const Segment> segments, Index region_count,
                             std::span<const double> preference) {
   const Index outside = region_count;
-  Csr<Index> borders;  // segments around every region and, last, the outside
-  borders.offsets.assign(region_count + 2, 0);
   const auto place = [&](Index side) { return side == none ? outside : side; };
-  for (const Segment& s : segments) {
-    if (s.left == s.right) continue;
-    ++borders.offsets[place(s.left) + 1];
-    ++borders.offsets[place(s.right) + 1];
-  }
-  for (Index r = 0; r <= region_count; ++r) borders.offsets[r + 1] += borders.offsets[r];
-  borders.values.resize(borders.offsets.back());
-  std::vector<Index> next(borders.offsets.begin(), borders.offsets.end() - 1);
-  for (Index i = 0; i < static_cast<Index>(segments.size()); ++i) {
-    if (segments[i].left == segments[i].right) continue;
-    borders.values[next[place(segments[i].left)]++] = i;
-    borders.values[next[place(segments[i].right)]++] = i;
-  }
+  // Segments around every region and, last, the outside.
+  const auto borders = csr_from<Index>(region_count + 1, [&](auto&& emit) {
+    for (Index i = 0; i < static_cast<Index>(segments.size()); ++i) {
+      if (segments[i].left == segments[i].right) continue;
+      emit(place(segments[i].left), i);
+      emit(place(segments[i].right), i);
+    }
+  });
 
   BorderTree tree;
   tree.segment.assign(region_count, none);

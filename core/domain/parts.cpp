@@ -56,20 +56,14 @@ class PartFinder {
 };
 
 void PartFinder::build_fans() {
-  fans_.offsets.assign(points_.size() + 1, 0);
-  for (const Segment& s : segments_) {
-    ++fans_.offsets[s.a + 1];
-    ++fans_.offsets[s.b + 1];
-    component_.unite(s.a, s.b);
-  }
-  for (std::size_t v = 0; v < points_.size(); ++v) fans_.offsets[v + 1] += fans_.offsets[v];
-  fans_.values.resize(fans_.offsets.back());
-  std::vector<Index> next(fans_.offsets.begin(), fans_.offsets.end() - 1);
-  for (Index i = 0; i < static_cast<Index>(segments_.size()); ++i) {
-    const Segment& s = segments_[i];
-    fans_.values[next[s.a]++] = {s.b, left_of(i), right_of(i)};
-    fans_.values[next[s.b]++] = {s.a, right_of(i), left_of(i)};
-  }
+  fill_csr(fans_, points_.size(), [&](auto&& emit) {
+    for (Index i = 0; i < static_cast<Index>(segments_.size()); ++i) {
+      const Segment& s = segments_[i];
+      emit(s.a, Spoke{s.b, left_of(i), right_of(i)});
+      emit(s.b, Spoke{s.a, right_of(i), left_of(i)});
+    }
+  });
+  for (const Segment& s : segments_) component_.unite(s.a, s.b);
 }
 
 void PartFinder::join_sectors(Index vertex) {

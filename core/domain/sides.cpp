@@ -84,23 +84,15 @@ Error SideSettler::outside(const std::string& what, Vec2 world) const {
 }
 
 void SideSettler::build_fans() {
-  const Index n = static_cast<Index>(domain_.points.size());
-  std::vector<Index> degree(n + 1, 0);
-  for (const Segment& s : domain_.segments) {
-    ++degree[s.a];
-    ++degree[s.b];
-  }
-  fans_.offsets.assign(n + 1, 0);
-  for (Index v = 0; v < n; ++v) fans_.offsets[v + 1] = fans_.offsets[v] + degree[v];
-  fans_.values.resize(fans_.offsets[n]);
-  std::vector<Index> next(fans_.offsets.begin(), fans_.offsets.end() - 1);
-  for (Index i = 0; i < static_cast<Index>(domain_.segments.size()); ++i) {
-    const Segment& s = domain_.segments[i];
-    const Index l = is_polyline(s) ? unknown : s.left, r = is_polyline(s) ? unknown : s.right;
-    fans_.values[next[s.a]++] = {i, s.b, l, r};
-    fans_.values[next[s.b]++] = {i, s.a, r, l};
-    component_.unite(s.a, s.b);
-  }
+  fill_csr(fans_, domain_.points.size(), [&](auto&& emit) {
+    for (Index i = 0; i < static_cast<Index>(domain_.segments.size()); ++i) {
+      const Segment& s = domain_.segments[i];
+      const Index l = is_polyline(s) ? unknown : s.left, r = is_polyline(s) ? unknown : s.right;
+      emit(s.a, Spoke{i, s.b, l, r});
+      emit(s.b, Spoke{i, s.a, r, l});
+    }
+  });
+  for (const Segment& s : domain_.segments) component_.unite(s.a, s.b);
 }
 
 void SideSettler::sort_fan(Index vertex, std::span<Spoke> fan) const {

@@ -23,17 +23,10 @@ double squared_distance_to_edge(Vec2 p, Vec2 a, Vec2 b) {
 
 // Triangles round each boundary node, for directions that start there.
 Csr<Index> half_edges_at_nodes(const TriMesh& mesh, Index nodes) {
-  Csr<Index> result;
-  result.offsets.assign(nodes + 1, 0);
-  const Index half_edges = 3 * mesh.triangle_count();
-  for (Index e = 0; e < half_edges; ++e)
-    if (mesh.origin(e) < nodes) ++result.offsets[mesh.origin(e) + 1];
-  for (Index v = 0; v < nodes; ++v) result.offsets[v + 1] += result.offsets[v];
-  result.values.resize(result.offsets.back());
-  std::vector<Index> fill(result.offsets.begin(), result.offsets.end() - 1);
-  for (Index e = 0; e < half_edges; ++e)
-    if (mesh.origin(e) < nodes) result.values[fill[mesh.origin(e)]++] = e;
-  return result;
+  return csr_from<Index>(nodes, [&](auto&& emit) {
+    for (Index e = 0; e < 3 * mesh.triangle_count(); ++e)
+      if (mesh.origin(e) < nodes) emit(mesh.origin(e), e);
+  });
 }
 
 // The triangle at a node that direction d points into, none if it leaves the domain.

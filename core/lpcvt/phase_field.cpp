@@ -105,19 +105,12 @@ class PhaseField {
 
 // Breadth-first over the free vertices: each takes the arm nearest to its parent's axis.
 void PhaseField::comb() {
-  const Index count = mesh_.vertex_count(), half_edges = 3 * mesh_.triangle_count();
-  Csr<Index> neighbours;
-  neighbours.offsets.assign(count + 1, 0);
-  const auto inner = [&](Index e) {
-    return mesh_.origin(e) >= fixed_ && mesh_.target(e) >= fixed_;
-  };
-  for (Index e = 0; e < half_edges; ++e)
-    if (inner(e)) ++neighbours.offsets[mesh_.origin(e) + 1];
-  for (Index v = 0; v < count; ++v) neighbours.offsets[v + 1] += neighbours.offsets[v];
-  neighbours.values.resize(neighbours.offsets.back());
-  std::vector<Index> fill(neighbours.offsets.begin(), neighbours.offsets.end() - 1);
-  for (Index e = 0; e < half_edges; ++e)
-    if (inner(e)) neighbours.values[fill[mesh_.origin(e)]++] = mesh_.target(e);
+  const Index count = mesh_.vertex_count();
+  const auto neighbours = csr_from<Index>(count, [&](auto&& emit) {
+    for (Index e = 0; e < 3 * mesh_.triangle_count(); ++e)
+      if (mesh_.origin(e) >= fixed_ && mesh_.target(e) >= fixed_)
+        emit(mesh_.origin(e), mesh_.target(e));
+  });
   std::vector<char> seen(count, 0);
   std::vector<Index> queue;
   for (Index root = fixed_; root < count; ++root) {

@@ -8,20 +8,12 @@ namespace lpq {
 namespace {
 
 Csr<Index> neighbour_lists(Index node_count, std::span<const CostEdge> edges) {
-  Csr<Index> lists;
-  lists.offsets.assign(node_count + 1, 0);
-  for (const CostEdge& e : edges) {
-    ++lists.offsets[e.u];
-    ++lists.offsets[e.v];
-  }
-  Index total = 0;
-  for (Index& offset : lists.offsets) total += offset, offset = total;
-  lists.values.resize(total);
-  for (const CostEdge& e : edges) {
-    lists.values[--lists.offsets[e.u]] = e.v;
-    lists.values[--lists.offsets[e.v]] = e.u;
-  }
-  return lists;
+  return csr_from<Index>(node_count, [&](auto&& emit) {
+    for (std::size_t i = edges.size(); i-- > 0;) {
+      emit(edges[i].v, edges[i].u);
+      emit(edges[i].u, edges[i].v);
+    }
+  });
 }
 
 /// Breadth first from `start` over unnumbered nodes until the patch is full; the nodes where it had

@@ -16,23 +16,15 @@ namespace {
 
 /// Neighbours of every vertex with a higher index, once per face that has the edge.
 Csr<Index> higher_neighbours(const QuadMesh& mesh) {
-  Csr<Index> result;
-  result.offsets.assign(mesh.points.size() + 1, 0);
-  const auto for_each_edge = [&](auto&& visit) {
+  auto result = csr_from<Index>(mesh.points.size(), [&](auto&& emit) {
     for (const Face& face : mesh.faces) {
       const int corners = corner_count(face);
       for (int k = 0; k < corners; ++k) {
         const Index a = face[k], b = face[(k + 1) % corners];
-        visit(std::min(a, b), std::max(a, b));
+        emit(std::min(a, b), std::max(a, b));
       }
     }
-  };
-  for_each_edge([&](Index a, Index) { ++result.offsets[a + 1]; });
-  for (std::size_t i = 1; i < result.offsets.size(); ++i)
-    result.offsets[i] += result.offsets[i - 1];
-  result.values.resize(static_cast<std::size_t>(result.offsets.back()));
-  std::vector<Index> next(result.offsets.begin(), result.offsets.end() - 1);
-  for_each_edge([&](Index a, Index b) { result.values[next[a]++] = b; });
+  });
   for (Index v = 0; v < result.rows(); ++v) std::sort(result.row(v).begin(), result.row(v).end());
   return result;
 }

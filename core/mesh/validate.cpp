@@ -89,33 +89,21 @@ void check_corners(const QuadMesh& mesh, Findings& found) {
 /// Rows by `key(item)`, items in order.
 template <class T, class Key>
 Csr<T> group_by(Index rows, std::span<const T> items, Key key) {
-  Csr<T> groups;
-  groups.offsets.assign(static_cast<std::size_t>(rows) + 1, 0);
-  for (const T& item : items) ++groups.offsets[key(item) + 1];
-  for (Index i = 0; i < rows; ++i) groups.offsets[i + 1] += groups.offsets[i];
-  groups.values.resize(items.size());
-  std::vector<Index> next(groups.offsets.begin(), groups.offsets.end() - 1);
-  for (const T& item : items) groups.values[next[key(item)]++] = item;
-  return groups;
+  return csr_from<T>(rows, [&](auto&& emit) {
+    for (const T& item : items) emit(key(item), item);
+  });
 }
 
 Csr<Corner> corners_by_vertex(const QuadMesh& mesh) {
-  Csr<Corner> result;
-  result.offsets.assign(mesh.points.size() + 1, 0);
-  for (const Face& face : mesh.faces)
-    for (int k = 0; k < corner_count(face); ++k) ++result.offsets[face[k] + 1];
-  for (std::size_t i = 1; i < result.offsets.size(); ++i)
-    result.offsets[i] += result.offsets[i - 1];
-  result.values.resize(static_cast<std::size_t>(result.offsets.back()));
-  std::vector<Index> slot(result.offsets.begin(), result.offsets.end() - 1);
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const Face& face = mesh.faces[f];
-    const int corners = corner_count(face);
-    for (int k = 0; k < corners; ++k)
-      result.values[slot[face[k]]++] = {face[(k + 1) % corners], face[(k + corners - 1) % corners],
-                                        static_cast<Index>(f)};
-  }
-  return result;
+  return csr_from<Corner>(mesh.points.size(), [&](auto&& emit) {
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      const Face& face = mesh.faces[f];
+      const int corners = corner_count(face);
+      for (int k = 0; k < corners; ++k)
+        emit(face[k], Corner{face[(k + 1) % corners], face[(k + corners - 1) % corners],
+                             static_cast<Index>(f)});
+    }
+  });
 }
 
 /// Walks the corners of one vertex after another; the scratch arrays are reset after each.

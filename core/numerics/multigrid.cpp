@@ -62,17 +62,6 @@ std::vector<Index> groups_of(const SparseRows& a, Index& count) {
   return group;
 }
 
-Csr<Index> members_of(const std::vector<Index>& group, Index count) {
-  Csr<Index> members;
-  members.offsets.assign(static_cast<std::size_t>(count) + 1, 0);
-  for (const Index g : group) ++members.offsets[g + 1];
-  for (Index g = 0; g < count; ++g) members.offsets[g + 1] += members.offsets[g];
-  members.values.resize(group.size());
-  std::vector<Index> next(members.offsets.begin(), members.offsets.end() - 1);
-  for (Index i = 0; i < static_cast<Index>(group.size()); ++i) members.values[next[group[i]]++] = i;
-  return members;
-}
-
 /// P^T A P, with P constant on groups.
 SparseRows grouped(const SparseRows& a, const std::vector<Index>& group, Index count) {
   SparseRows result;

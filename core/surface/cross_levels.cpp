@@ -41,24 +41,15 @@ Complex product(Complex a, Complex b) {
 Rows rows_of(const CrossSystem& system) {
   Rows rows;
   rows.diagonal.assign(system.rows(), 0.0);
-  std::vector<Index>& offsets = rows.couplings.offsets;
-  offsets.assign(static_cast<std::size_t>(system.rows()) + 1, 0);
-  for (const auto& [i, j, value] : system.stiffness) {
-    if (i == j) {
-      rows.diagonal[i] += value.real();
-    } else {
-      ++offsets[i + 1];
-      ++offsets[j + 1];
+  for (const auto& [i, j, value] : system.stiffness)
+    if (i == j) rows.diagonal[i] += value.real();
+  fill_csr(rows.couplings, system.rows(), [&](auto&& emit) {
+    for (const auto& [i, j, value] : system.stiffness) {
+      if (i == j) continue;
+      emit(i, Coupling{j, value});
+      emit(j, Coupling{i, std::conj(value)});
     }
-  }
-  for (Index i = 0; i < system.rows(); ++i) offsets[i + 1] += offsets[i];
-  rows.couplings.values.resize(offsets.back());
-  std::vector<Index> next(offsets.begin(), offsets.end() - 1);
-  for (const auto& [i, j, value] : system.stiffness) {
-    if (i == j) continue;
-    rows.couplings.values[next[i]++] = {j, value};
-    rows.couplings.values[next[j]++] = {i, std::conj(value)};
-  }
+  });
   return rows;
 }
 
@@ -85,18 +76,6 @@ Pairing pair_up(const Rows& rows) {
   return pairing;
 }
 
-Csr<Index> members_of(const Pairing& pairing) {
-  Csr<Index> members;
-  members.offsets.assign(static_cast<std::size_t>(pairing.pairs) + 1, 0);
-  for (const Index p : pairing.pair) ++members.offsets[p + 1];
-  for (Index p = 0; p < pairing.pairs; ++p) members.offsets[p + 1] += members.offsets[p];
-  members.values.resize(pairing.pair.size());
-  std::vector<Index> next(members.offsets.begin(), members.offsets.end() - 1);
-  for (Index i = 0; i < static_cast<Index>(pairing.pair.size()); ++i)
-    members.values[next[pairing.pair[i]]++] = i;
-  return members;
-}
-
 /// All but the stiffness.
 CrossSystem merged_rows(const CrossSystem& system, const Pairing& pairing) {
   CrossSystem pairs;
@@ -117,7 +96,7 @@ CrossSystem merged_rows(const CrossSystem& system, const Pairing& pairing) {
 /// pairs bend at fewer edges, but by more: in the plane too much by the ratio of lengths.
 CrossSystem merged(const CrossSystem& system, const Rows& rows, const Pairing& pairing) {
   CrossSystem pairs = merged_rows(system, pairing);
-  const Csr<Index> members = members_of(pairing);
+  const Csr<Index> members = members_of(pairing.pair, pairing.pairs);
   std::vector<Index> place(pairing.pairs, none);  // of the coupling to this pair, of the row's
   for (Index p = 0; p < pairing.pairs; ++p) {
     const std::size_t first = pairs.stiffness.size();

@@ -14,13 +14,9 @@ Csr<Index> half_edges_by_ends(const Index* corners, Index half_edge_count, Index
     const Index a = corners[e], b = corners[next_in_triangle(e)];
     return std::array<Index, 2>{std::min(a, b), std::max(a, b)};
   };
-  Csr<Index> rows;
-  rows.offsets.assign(static_cast<std::size_t>(vertex_count) + 1, 0);
-  for (Index e = 0; e < half_edge_count; ++e) ++rows.offsets[ends(e)[0] + 1];
-  for (Index v = 0; v < vertex_count; ++v) rows.offsets[v + 1] += rows.offsets[v];
-  rows.values.resize(static_cast<std::size_t>(half_edge_count));
-  std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
-  for (Index e = 0; e < half_edge_count; ++e) rows.values[next[ends(e)[0]]++] = e;
+  auto rows = csr_from<Index>(vertex_count, [&](auto&& emit) {
+    for (Index e = 0; e < half_edge_count; ++e) emit(ends(e)[0], e);
+  });
   for (Index v = 0; v < vertex_count; ++v) {
     sort_numbers(rows.row(v), [&](Index e, Index f) {
       const Index x = ends(e)[1], y = ends(f)[1];
@@ -54,21 +50,12 @@ SurfaceEdges surface_edges(std::span<const Tri> triangles, Index vertex_count) {
 
 Csr<Index> edges_at_vertices(const SurfaceEdges& edges, Index vertex_count,
                              std::span<const char> chosen) {
-  const auto skipped = [&](Index i) { return !chosen.empty() && !chosen[i]; };
-  Csr<Index> rows;
-  rows.offsets.assign(static_cast<std::size_t>(vertex_count) + 1, 0);
-  for (Index i = 0; i < edges.count(); ++i) {
-    if (skipped(i)) continue;
-    for (const Index v : edges.ends[i]) ++rows.offsets[v + 1];
-  }
-  for (Index v = 0; v < vertex_count; ++v) rows.offsets[v + 1] += rows.offsets[v];
-  rows.values.resize(static_cast<std::size_t>(rows.offsets.back()));
-  std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
-  for (Index i = 0; i < edges.count(); ++i) {
-    if (skipped(i)) continue;
-    for (const Index v : edges.ends[i]) rows.values[next[v]++] = i;
-  }
-  return rows;
+  return csr_from<Index>(vertex_count, [&](auto&& emit) {
+    for (Index i = 0; i < edges.count(); ++i) {
+      if (!chosen.empty() && !chosen[i]) continue;
+      for (const Index v : edges.ends[i]) emit(v, i);
+    }
+  });
 }
 
 std::vector<Index> parts_at_vertices(std::span<const Tri> triangles, const SurfaceEdges& edges,

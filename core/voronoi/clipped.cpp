@@ -70,14 +70,10 @@ void clip_voronoi(const TriMesh& mesh, ClippedVoronoi& result) {
   ClippedDual dual;
   clip_dual(mesh, dual);
   const std::vector<Index> renumbered = write_vertices(mesh, dual, result.vertices);
-  const std::size_t sites = mesh.points.size();
-  result.cells.offsets.assign(sites + 1, 0);
-  for_each_fan(mesh, dual, [&](const FanTriangle& fan) { ++result.cells.offsets[fan.site + 1]; });
-  for (std::size_t i = 0; i < sites; ++i) result.cells.offsets[i + 1] += result.cells.offsets[i];
-  result.cells.values.resize(static_cast<std::size_t>(result.cells.offsets.back()));
-  std::vector<Index> slot(result.cells.offsets.begin(), result.cells.offsets.end() - 1);
-  for_each_fan(mesh, dual, [&](const FanTriangle& fan) {
-    result.cells.values[slot[fan.site]++] = {fan.site, renumbered[fan.c1], renumbered[fan.c2]};
+  fill_csr(result.cells, mesh.points.size(), [&](auto&& emit) {
+    for_each_fan(mesh, dual, [&](const FanTriangle& fan) {
+      emit(fan.site, FanTriangle{fan.site, renumbered[fan.c1], renumbered[fan.c2]});
+    });
   });
 }
 

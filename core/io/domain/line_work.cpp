@@ -69,18 +69,12 @@ void drop_doubled_edges(LineWork& lines, Joined& joined) {
 
 /// The points that edges join each point to.
 Csr<Index> neighbours_of(const LineWork& lines) {
-  Csr<Index> result;
-  result.offsets.assign(lines.points.size() + 1, 0);
-  for (const LineWork::Edge& edge : lines.edges)
-    for (const Index p : {edge.a, edge.b}) ++result.offsets[p + 1];
-  std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
-  std::vector<Index> next(result.offsets.begin(), result.offsets.end() - 1);
-  result.values.resize(2 * lines.edges.size());
-  for (const LineWork::Edge& edge : lines.edges) {
-    result.values[next[edge.a]++] = edge.b;
-    result.values[next[edge.b]++] = edge.a;
-  }
-  return result;
+  return csr_from<Index>(lines.points.size(), [&](auto&& emit) {
+    for (const LineWork::Edge& edge : lines.edges) {
+      emit(edge.a, edge.b);
+      emit(edge.b, edge.a);
+    }
+  });
 }
 
 /// The nearest point to point i within the tolerance that is not one of its neighbours, or none.

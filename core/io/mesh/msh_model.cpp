@@ -72,16 +72,7 @@ void make_surfaces(const OutputMesh& mesh, MshModel& model) {
   for (std::size_t r = 0; r < count; ++r) {
     model.surface_names.push_back(region_label(mesh, static_cast<Index>(r)));
   }
-  std::vector<Index>& offsets = model.faces_of_region.offsets;
-  offsets.assign(count + 1, 0);
-  for (const Index r : mesh.region) ++offsets[static_cast<std::size_t>(r) + 1];
-  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-  std::vector<Index> next(offsets.begin(), offsets.end() - 1);
-  model.faces_of_region.values.resize(mesh.faces.size());
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    Index& slot = next[static_cast<std::size_t>(mesh.region[f])];
-    model.faces_of_region.values[static_cast<std::size_t>(slot++)] = static_cast<Index>(f);
-  }
+  model.faces_of_region = members_of(mesh.region, count);
 }
 
 void classify_nodes(const OutputMesh& mesh, MshModel& model) {

@@ -29,18 +29,11 @@ Index index_of(Index i, const std::vector<Index>& ascending) {
 }
 
 Csr<Index> faces_at_vertices(const ShellMesh& mesh) {
-  Csr<Index> stars;
-  stars.offsets.assign(mesh.points.size() + 1, 0);
-  for (const Face& face : mesh.faces)
-    for (const Index v : face)
-      if (v != none) ++stars.offsets[v + 1];
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) stars.offsets[v + 1] += stars.offsets[v];
-  stars.values.resize(stars.offsets.back());
-  std::vector<Index> next(stars.offsets.begin(), stars.offsets.end() - 1);
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-    for (const Index v : mesh.faces[f])
-      if (v != none) stars.values[next[v]++] = static_cast<Index>(f);
-  return stars;
+  return csr_from<Index>(mesh.points.size(), [&](auto&& emit) {
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+      for (const Index v : mesh.faces[f])
+        if (v != none) emit(v, static_cast<Index>(f));
+  });
 }
 
 std::vector<Index> faces_around(const ShellMesh& mesh, const Csr<Index>& stars, Index f,

@@ -62,8 +62,6 @@ void BoundaryFirst::number_inside() {
 SparseRows BoundaryFirst::inner_rows() const {
   SparseRows rows;
   rows.diagonal.assign(rows_, 0.0);
-  std::vector<Index>& offsets = rows.couplings.offsets;
-  offsets.assign(static_cast<std::size_t>(rows_) + 1, 0);
   const auto each_side = [&](auto&& visit) {
     for (Index e = 0; e < static_cast<Index>(weights_.size()); ++e) {
       const Index a = row_[corners_of(disk_.corners)[e]];
@@ -73,13 +71,11 @@ SparseRows BoundaryFirst::inner_rows() const {
       if (a != none && a != b) visit(a, b, weights_[e] + (twin == none ? 0 : weights_[twin]));
     }
   };
-  each_side([&](Index a, Index b, double) { offsets[a + 1] += b != none; });
-  for (Index i = 0; i < rows_; ++i) offsets[i + 1] += offsets[i];
-  rows.couplings.values.resize(offsets.back());
-  std::vector<Index> next(offsets.begin(), offsets.end() - 1);
-  each_side([&](Index a, Index b, double weight) {
-    rows.diagonal[a] += weight;
-    if (b != none) rows.couplings.values[next[a]++] = {b, -weight};
+  each_side([&](Index a, Index, double weight) { rows.diagonal[a] += weight; });
+  fill_csr(rows.couplings, rows_, [&](auto&& emit) {
+    each_side([&](Index a, Index b, double weight) {
+      if (b != none) emit(a, Coupling{b, -weight});
+    });
   });
   return rows;
 }
