@@ -14,8 +14,7 @@ namespace lpq {
 
 namespace {
 
-constexpr int steps_before = 20;    // of smoothing, before the local operations
-constexpr int largest_sweeps = 30;  // of Laplacian smoothing: it converges long before
+constexpr int steps_before = 20;  // of smoothing, before the local operations
 
 void add(const TopologyStats& topology, CleanupStats& stats) {
   stats.diamonds += topology.diamonds;
@@ -86,10 +85,7 @@ CleanupResult clean_up(QuadMesh mesh, const Fields& fields, const CleanupOptions
   if (options.topology && count_invalid(result.mesh) > 0) make_valid(result, fields);
   result.stats.still_invalid = count_invalid(result.mesh);
   if (result.stats.still_invalid > 0) return result;  // not worth polishing
-  if (options.smoother == Smoother::eta)
-    smooth_eta(result.mesh, fields, smoothing);
-  else
-    smooth_guarded(result.mesh, std::min(options.smoothing_iterations, largest_sweeps));
+  smooth_eta(result.mesh, fields, smoothing);
   result.stats.still_invalid = count_invalid(result.mesh);
   return result;
 }

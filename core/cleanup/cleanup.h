@@ -8,14 +8,8 @@
 
 namespace lpq {
 
-enum class Smoother {
-  eta,        // all vertices together, for the largest sum of eta
-  laplacian,  // the paper's: each vertex to the mean of its neighbours, guarded
-};
-
 struct CleanupOptions {
-  Smoother smoother = Smoother::eta;
-  int smoothing_iterations = 100;  // of the eta optimisation, or sweeps
+  int smoothing_iterations = 100;  // of the eta optimisation
   double size_weight = 0.02;       // of the edge-length term beside 1 - eta
   double eta_floor = 0.62;         // quads below are pushed up harder
   double rounding = 1e-4;          // of the kinks of 1 - eta

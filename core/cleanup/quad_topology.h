@@ -38,8 +38,6 @@ class QuadTopology {
   bool is_wall(Index a, Index b) const;
   /// The face that has the directed edge a -> b, or none.
   Index face_with_edge(Index a, Index b) const;
-  /// No face may be joined to `face_with_edge(a, b)` over this edge: outer boundary or wall.
-  bool is_border(Index a, Index b) const { return is_wall(a, b) || face_with_edge(b, a) == none; }
 
   void move(Index v, Vec2 position);  // free vertices only
   Index add_vertex(Vec2 position);

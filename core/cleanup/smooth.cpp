@@ -38,30 +38,6 @@ void take_back(QuadMesh& mesh, const std::vector<Vec2>& before, const std::vecto
   mesh.points = before;
 }
 
-// Mean of the neighbours, each weighted by the length of its edge, over the faces of v.
-Vec2 weighted_mean(const QuadMesh& mesh, std::span<const Index> faces, Index v) {
-  const Vec2 p = mesh.points[v];
-  Vec2 sum;
-  double weight = 0;
-  for (const Index f : faces) {
-    const Face& face = mesh.faces[f];
-    const Index k = corner_of(face, v);
-    for (const Index w : {next_corner(face, k), prev_corner(face, k)}) {
-      const Vec2 edge = mesh.points[w] - p;
-      const double size = length(edge);
-      sum += size * edge;
-      weight += size;
-    }
-  }
-  return weight > 0 ? p + (1 / weight) * sum : p;
-}
-
-double worst_eta(const QuadMesh& mesh, std::span<const Index> faces) {
-  double worst = 1;
-  for (const Index f : faces) worst = std::min(worst, guarded_eta(mesh, mesh.faces[f]));
-  return worst;
-}
-
 std::vector<double> all_etas(const QuadMesh& mesh) {
   std::vector<double> etas;
   etas.reserve(mesh.faces.size());
@@ -197,22 +173,6 @@ void smooth_eta(QuadMesh& mesh, const Fields& fields, const SmoothOptions& optio
     });
   }
   take_back(mesh, before, least);
-}
-
-void smooth_guarded(QuadMesh& mesh, int sweeps) {
-  const Csr<Index> faces = faces_at_vertices(mesh);
-  const Index vertices = static_cast<Index>(mesh.points.size());
-  for (int sweep = 0; sweep < sweeps; ++sweep)
-    for (Index v = mesh.fixed; v < vertices; ++v) {
-      const auto star = faces.row(v);
-      const Vec2 start = mesh.points[v], goal = weighted_mean(mesh, star, v);
-      const double worst = worst_eta(mesh, star);
-      for (double share = 1; share >= 0.25; share *= 0.5) {
-        mesh.points[v] = start + share * (goal - start);
-        if (worst_eta(mesh, star) >= worst) break;
-        mesh.points[v] = start;
-      }
-    }
 }
 
 }  // namespace lpq

@@ -23,11 +23,6 @@ struct SmoothOptions {
 /// strictly convex stay as they are, with their vertices. Cost O(iterations #F).
 void smooth_eta(QuadMesh& mesh, const Fields& fields, const SmoothOptions& options = {});
 
-/// Plain Laplacian smoothing ("a Laplacian smoothing has been applied", paper section 5): every
-/// free vertex in turn moves towards the length-weighted mean of its neighbours, by the largest of
-/// 1, 1/2, 1/4 of the way that does not lower the worst eta of its faces; otherwise it stays.
-void smooth_guarded(QuadMesh& mesh, int sweeps);
-
 /// 1/h^2 at the centre of every face, from the size field.
 std::vector<double> target_inverse_squares(const QuadMesh& mesh, const Fields& fields);
 /// The pull at the centre of every face; empty where fields have none.

@@ -55,8 +55,7 @@ class SideSettler {
   BoxTree tree_;
   Csr<Spoke> fans_;
   DisjointSets component_;
-  std::vector<Index> smallest_;         // #P  of the component with this root
-  std::vector<Index> polyline_region_;  // #P  of the polylines joined away from loops, by root
+  std::vector<Index> smallest_;  // #P  of the component with this root
 };
 
 std::string SideSettler::name(Index region) const {

@@ -96,7 +96,6 @@ Evaluation LpOptimizer::evaluate(std::span<const double> x, std::span<double> gr
 EvalStatus LpOptimizer::move_mesh(std::span<const Vec2> positions) {
   if (!mesh_is_valid_) return rebuild(positions);
   const UpdateResult result = update(mesh_, positions, &update_workspace_);
-  flips_ += result.flips;
   if (result.status == UpdateStatus::flipped) return EvalStatus::ok;
   mesh_is_valid_ = false;
   return rebuild(positions);
@@ -105,7 +104,6 @@ EvalStatus LpOptimizer::move_mesh(std::span<const Vec2> positions) {
 EvalStatus LpOptimizer::rebuild(std::span<const Vec2> positions) {
   if (!all_inside(positions)) return EvalStatus::outside_domain;
   Result<TriMesh> mesh = triangulate(*boundary_, positions);
-  ++rebuilds_;
   if (!mesh) return EvalStatus::degenerate;  // two vertices met, or one is on a wall
   mesh_ = std::move(*mesh);
   mesh_is_valid_ = true;

@@ -37,8 +37,6 @@ class LpOptimizer {
   const std::vector<double>& gradient_norm_history() const {
     return lbfgs_.gradient_norm_history();
   }
-  int rebuilds() const { return rebuilds_; }  // triangulations from scratch after the first
-  Index flips() const { return flips_; }      // Delaunay flips in all
   int refusals() const { return refusals_; }  // trial points with a vertex outside
 
  private:
@@ -61,8 +59,7 @@ class LpOptimizer {
   std::vector<Index> hints_;  // #free  background triangles of the last accepted positions
   std::vector<Vec2> positions_, gradient_;
   Lbfgs lbfgs_;
-  int rebuilds_ = 0, refusals_ = 0;
-  Index flips_ = 0;
+  int refusals_ = 0;
 };
 
 }  // namespace lpq

@@ -201,21 +201,6 @@ std::vector<Vec2> isotropic_seeds(const BoundaryMesh& boundary, const Fields& fi
   return points;
 }
 
-std::vector<Vec2> packed_seeds(const BoundaryMesh& boundary, const Fields& fields,
-                               std::vector<Vec2> existing, const SeedOptions& options) {
-  const WallDistance walls(boundary, fields);
-  Packing packing(boundary, fields);
-  Index hint = none;
-  for (const Vec2 p : existing) {
-    const double h = fields.size(p, hint);
-    packing.add(p, h, hint);
-  }
-  PackingRule rule;
-  rule.max_points = options.max_points;
-  pack_inward(boundary, fields, walls, rule, packing);
-  return packing.interior();
-}
-
 std::vector<Vec2> aligned_seeds(const BoundaryMesh& boundary, const Fields& fields,
                                 const SeedOptions& options) {
   const WallDistance walls(boundary, fields);

@@ -35,8 +35,4 @@ std::vector<Vec2> aligned_seeds(const BoundaryMesh& boundary, const Fields& fiel
 std::vector<Vec2> given_seeds(const BoundaryMesh& boundary, const Fields& fields,
                               std::span<const Vec2> points);
 
-/// The packing alone: from walls and existing points inward along both axes (O(n)).
-std::vector<Vec2> packed_seeds(const BoundaryMesh& boundary, const Fields& fields,
-                               std::vector<Vec2> existing, const SeedOptions& options = {});
-
 }  // namespace lpq

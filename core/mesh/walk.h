@@ -12,13 +12,6 @@ Index ccw_around_origin(const Mesh& mesh, Index e) {
   return mesh.twins[prev_in_triangle(e)];
 }
 
-/// The next half-edge leaving the same vertex, clockwise; none when a wall is in between.
-template <class Mesh>
-Index cw_around_origin(const Mesh& mesh, Index e) {
-  const Index twin = mesh.twins[e];
-  return twin == none ? none : next_in_triangle(twin);
-}
-
 /// Calls visit(e) for the half-edges of one fan, counter-clockwise from `first`, once around at
 /// most.
 template <class Mesh, class Visit>

@@ -18,7 +18,7 @@ struct Entry {
 using Triplet = Entry<double>;
 using ComplexTriplet = Entry<std::complex<double>>;
 
-enum class SparseStatus { ok, not_positive_definite, not_converged };
+enum class SparseStatus { ok, not_positive_definite };
 
 /// A matrix factorised once (sparse LDL^T or LDL^H, fill-reducing order) for many right-hand sides;
 /// Scalar is double or std::complex<double>. Deterministic.

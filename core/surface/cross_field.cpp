@@ -6,7 +6,6 @@
 #include "field/field.h"
 #include "surface/components.h"
 #include "surface/cross_system.h"
-#include "surface/curvature.h"
 #include "surface/frames.h"
 
 namespace lpq {
@@ -23,19 +22,16 @@ Complex complex_of(Vec2 z) { return {z.x, z.y}; }
 
 class CrossSolver {
  public:
-  CrossSolver(const SurfaceMesh& mesh, std::span<const char> feature,
-              const SurfaceCrossOptions& options);
+  CrossSolver(const SurfaceMesh& mesh, std::span<const char> feature);
   std::vector<Vec2> solve() const;
 
  private:
   void fix_at_features(std::span<const char> feature);
   void assemble();
-  void prefer_curvature(std::span<const char> feature, double weight);
   void find_free_components();
   Index rows() const { return static_cast<Index>(triangle_.size()); }
 
   const SurfaceMesh& mesh_;
-  SurfaceCrossOptions options_;
   std::vector<TriangleLayout> layouts_;
   std::vector<Vec2> transport_;
   std::vector<Complex> fixed_;   // #T  0 where unknown
@@ -44,14 +40,12 @@ class CrossSolver {
   CrossSystem system_;
 };
 
-CrossSolver::CrossSolver(const SurfaceMesh& mesh, std::span<const char> feature,
-                         const SurfaceCrossOptions& options)
-    : mesh_(mesh), options_(options), transport_(cross_transport(mesh)) {
+CrossSolver::CrossSolver(const SurfaceMesh& mesh, std::span<const char> feature)
+    : mesh_(mesh), transport_(cross_transport(mesh)) {
   layouts_.reserve(mesh.triangles.size());
   for (Index t = 0; t < mesh.triangle_count(); ++t) layouts_.push_back(layout_of(mesh, t));
   fix_at_features(feature);
   assemble();
-  if (options.curvature_weight > 0) prefer_curvature(feature, options.curvature_weight);
   find_free_components();
 }
 
@@ -105,18 +99,6 @@ void CrossSolver::assemble() {
     }
 }
 
-void CrossSolver::prefer_curvature(std::span<const char> feature, double weight) {
-  const std::vector<SecondForm> forms = second_forms(mesh_, feature);
-  for (Index row = 0; row < rows(); ++row) {
-    const SecondForm& form = forms[triangle_[row]];
-    // |kappa_1 - kappa_2| e^{2 i theta} with theta along the larger one.
-    const Complex deviation(form.xx - form.yy, 2 * form.xy);
-    const double w = weight * layouts_[triangle_[row]].area;
-    system_.stiffness.push_back({row, row, w * squared_norm(deviation)});
-    system_.rhs[row] += w * (deviation * deviation);
-  }
-}
-
 void CrossSolver::find_free_components() {
   const Components components = components_of(mesh_.twins);
   std::vector<char> free(components.count, 1);
@@ -130,10 +112,7 @@ void CrossSolver::find_free_components() {
 }
 
 std::vector<Vec2> CrossSolver::solve() const {
-  const CrossSteps steps{options_.curvature_weight == 0, options_.renormalisations};
-  // Levels weigh everything as they weigh bends: the curvature's term is an area's, not a length's.
-  const std::vector<Complex> x = steps.smoothest ? solve_large_cross_system(system_, steps)
-                                                 : solve_cross_system(system_, steps);
+  const std::vector<Complex> x = solve_large_cross_system(system_);
   std::vector<Vec2> z(mesh_.triangles.size());
   for (Index t = 0; t < mesh_.triangle_count(); ++t) {
     const Complex value = row_of_[t] == none ? fixed_[t] : x[row_of_[t]];
@@ -157,10 +136,9 @@ std::vector<Vec2> cross_transport(const SurfaceMesh& mesh) {
   return transport;
 }
 
-SurfaceCrossField solve_surface_cross(const SurfaceMesh& mesh, std::span<const char> feature,
-                                      const SurfaceCrossOptions& options) {
+SurfaceCrossField solve_surface_cross(const SurfaceMesh& mesh, std::span<const char> feature) {
   SurfaceCrossField field;
-  field.z = CrossSolver(mesh, feature, options).solve();
+  field.z = CrossSolver(mesh, feature).solve();
   field.singularities = find_surface_singularities(mesh, field.z);
   return field;
 }

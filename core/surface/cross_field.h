@@ -21,22 +21,13 @@ struct SurfaceCrossField {
   std::vector<SurfaceSingularity> singularities;  // by vertex, those inside the surface
 };
 
-struct SurfaceCrossOptions {
-  /// Weight of alignment with the principal curvatures: sum of |kappa_1 - kappa_2|^2 |z - z_c|^2 dA
-  /// against the field's own bending; dimensionless, 0 = none.
-  double curvature_weight = 0;
-  int renormalisations = 8;  // diffusion steps with unit length restored
-};
-
 /// Minimises the sum of w |z_g - r z_f|^2 over edges, z given in triangles that touch a feature
 /// (`feature` marks half-edges, both sides; half-edges without twin count as marked); where a
 /// component has none, the smoothest field, by inverse iteration [Knoppel et al. 2013]. Then
 /// diffusion with renormalisation [Viertel, Osting 2019]. The indices of a closed surface sum to
 /// 4 chi, always. Cost: sparse Hermitian factorisations with up to 60,000 unknowns, and O(#T):
-/// larger surfaces are solved for by levels (cross_system.h), but for those with a curvature term,
-/// whose factors have up to #T unknowns.
-SurfaceCrossField solve_surface_cross(const SurfaceMesh& mesh, std::span<const char> feature,
-                                      const SurfaceCrossOptions& options = {});
+/// larger surfaces are solved for by levels (cross_system.h).
+SurfaceCrossField solve_surface_cross(const SurfaceMesh& mesh, std::span<const char> feature);
 
 /// e^{4 i (change of angle)} from the frame of e's triangle to that of its twin's: #half-edges,
 /// (1, 0) where there is no twin.

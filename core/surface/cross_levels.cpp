@@ -133,12 +133,12 @@ void smooth(const CrossSystem& system, const Rows& rows, std::vector<Complex>& x
 
 }  // namespace
 
-std::vector<Complex> solve_large_cross_system(const CrossSystem& system, CrossSteps steps) {
-  if (system.rows() <= most_rows) return solve_cross_system(system, steps);
+std::vector<Complex> solve_large_cross_system(const CrossSystem& system) {
+  if (system.rows() <= most_rows) return solve_cross_system(system);
   const Rows rows = rows_of(system);
   const Pairing pairing = pair_up(rows);
-  if (pairing.pairs > least_gain * system.rows()) return solve_cross_system(system, steps);
-  const std::vector<Complex> z = solve_large_cross_system(merged(system, rows, pairing), steps);
+  if (pairing.pairs > least_gain * system.rows()) return solve_cross_system(system);
+  const std::vector<Complex> z = solve_large_cross_system(merged(system, rows, pairing));
   std::vector<Complex> x;
   x.reserve(system.rhs.size());
   for (Index i = 0; i < system.rows(); ++i)

@@ -18,20 +18,20 @@ constexpr double shift = 1e-9;
 // steps smooth the rest away.
 constexpr double converged = 0.01;
 constexpr int most_inverse_iterations = 40;
+constexpr int renormalisations = 8;  // in the diffusion steps of one length
 
 class CrossSolver {
  public:
-  CrossSolver(const CrossSystem& system, CrossSteps steps) : system_(system), steps_(steps) {}
+  explicit CrossSolver(const CrossSystem& system) : system_(system) {}
 
   std::vector<Complex> solve() {
     x_.assign(system_.rhs.size(), {});
     SparseFactor<Complex> factor(system_.rows(), matrix_with(0));
     if (factor.status() != SparseStatus::ok) return std::move(x_);
     factor.solve(system_.rhs, x_);
-    if (system_.free_components > 0 && steps_.smoothest) iterate_inverse(factor);
+    if (system_.free_components > 0) iterate_inverse(factor);
     restore_length();
-    if (steps_.renormalisations > 0)
-      for (const double share : diffusion_shares) diffuse(factor, share);
+    for (const double share : diffusion_shares) diffuse(factor, share);
     return std::move(x_);
   }
 
@@ -87,7 +87,7 @@ class CrossSolver {
     factor.refactor(matrix_with(1 / share));
     if (factor.status() != SparseStatus::ok) return;
     std::vector<Complex> b(system_.rows());
-    for (int i = 0; i < steps_.renormalisations; ++i) {
+    for (int i = 0; i < renormalisations; ++i) {
       for (Index row = 0; row < system_.rows(); ++row)
         b[row] = system_.rhs[row] + (system_.mass[row] / share) * x_[row];
       factor.solve(b, x_);
@@ -96,7 +96,6 @@ class CrossSolver {
   }
 
   const CrossSystem& system_;
-  CrossSteps steps_;
   std::vector<Complex> x_;  // #rows
 };
 
@@ -107,8 +106,8 @@ Complex unit_cross(Complex z) {
   return norm > 0 ? z / norm : z;
 }
 
-std::vector<Complex> solve_cross_system(const CrossSystem& system, CrossSteps steps) {
-  return CrossSolver(system, steps).solve();
+std::vector<Complex> solve_cross_system(const CrossSystem& system) {
+  return CrossSolver(system).solve();
 }
 
 }  // namespace lpq

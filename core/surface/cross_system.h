@@ -21,20 +21,14 @@ struct CrossSystem {
   Index rows() const { return static_cast<Index>(rhs.size()); }
 };
 
-struct CrossSteps {
-  bool smoothest = true;  // where nothing is given, look for the field that bends least
-  int renormalisations = 8;
-};
-
 /// By sparse factors: the minimum, or the smallest eigenvector of each free component; then
 /// diffusion. Values of unit length, or 0 where A is not positive definite.
-std::vector<std::complex<double>> solve_cross_system(const CrossSystem& system, CrossSteps steps);
+std::vector<std::complex<double>> solve_cross_system(const CrossSystem& system);
 
 /// The same for systems of any size, in time proportional to it: of more than 60,000 rows,
 /// neighbours are paired until few enough are left [JTPS15], the pairs solved for, and their
 /// crosses turned into the frames of the rows and smoothed there. A holds nothing but bends.
-std::vector<std::complex<double>> solve_large_cross_system(const CrossSystem& system,
-                                                           CrossSteps steps);
+std::vector<std::complex<double>> solve_large_cross_system(const CrossSystem& system);
 
 inline double squared_norm(std::complex<double> z) {
   return z.real() * z.real() + z.imag() * z.imag();

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "base/csr.h"
-#include "base/function_ref.h"
 #include "base/result.h"
 #include "surface/features.h"
 
@@ -40,9 +39,6 @@ struct CurveMesh {
   Csr<Index> nodes;                   // #C  along the curve; a closed one ends with its first node
 };
 
-/// Size of the mesh at a point of the surface, > 0.
-using SizeAt = FunctionRef<double(Vec3)>;
-
 /// Divides every curve into equal steps of int ds/h, with 1/h linear along each edge between its
 /// vertices. A curve gets the nearest number of edges to that, a closed one an even number, at
 /// least four, or six round a narrow ring; a fifth or so more or fewer where opposite sides of a
@@ -53,9 +49,5 @@ using SizeAt = FunctionRef<double(Vec3)>;
 /// O(#V + #N + #C log #C).
 Result<CurveMesh> mesh_curves(const SurfaceMesh& mesh, const SurfaceFeatures& features,
                               const SurfaceCurves& curves, std::span<const double> size);
-
-/// The same with a size that also varies along edges: it is asked every fourth of a size.
-Result<CurveMesh> mesh_curves_by(SizeAt size, const SurfaceMesh& mesh,
-                                 const SurfaceFeatures& features, const SurfaceCurves& curves);
 
 }  // namespace lpq

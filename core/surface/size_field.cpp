@@ -60,23 +60,16 @@ void add_bending_of_features(const SurfaceMesh& mesh, std::span<const char> feat
 }
 
 double size_for(double curvature, const SurfaceSizeOptions& options) {
-  double h = infinite;
-  if (!(curvature > 0)) return h;
+  if (!(curvature > 0)) return infinite;
   const double r = 1 / curvature;
-  if (options.largest_turn > 0)
-    h = std::min(h, 2 * r * sin_cos(0.5 * std::min(options.largest_turn, pi)).sin);
-  if (options.largest_sag > 0) {
-    const double d = std::min(options.largest_sag, r);
-    h = std::min(h, 2 * std::sqrt(d * (2 * r - d)));
-  }
-  return std::max(h, options.least);
+  const double chord = 2 * r * sin_cos(0.5 * std::min(options.largest_turn, pi)).sin;
+  return std::max(chord, options.least);
 }
 
 std::string fault_of(const SurfaceMesh& mesh, const SurfaceSizeOptions& options) {
   const auto bad = [](double value) { return !std::isfinite(value) || value < 0; };
   if (bad(options.size) || bad(options.least)) return "sizes must be positive numbers";
   if (bad(options.largest_turn)) return "the largest turn must be a positive angle in radians";
-  if (bad(options.largest_sag)) return "the largest sag must be a positive distance";
   if (bad(options.growth) || options.growth == 0) return "the growth must be positive";
   if (!options.at_vertices.empty() && options.at_vertices.size() != mesh.points.size())
     return "there must be one size for every vertex of the surface";
@@ -99,7 +92,7 @@ Result<std::vector<double>> surface_sizes(const SurfaceMesh& mesh, std::span<con
   std::vector<double> h(mesh.points.size(), options.size > 0 ? options.size : infinite);
   for (std::size_t v = 0; v < options.at_vertices.size(); ++v)
     if (options.at_vertices[v] > 0) h[v] = options.at_vertices[v];
-  if (options.largest_turn > 0 || options.largest_sag > 0) {
+  if (options.largest_turn > 0) {
     std::vector<double> bending = bending_of_surface(mesh, feature);
     add_bending_of_features(mesh, feature, bending);
     for (std::size_t v = 0; v < h.size(); ++v) h[v] = std::min(h[v], size_for(bending[v], options));

@@ -14,14 +14,13 @@ struct SurfaceSizeOptions {
   double size = 0;                  // constant target; 0 = only what follows
   std::vector<double> at_vertices;  // #V or empty; wins over size, 0 = no value at that vertex
   double largest_turn = 0;          // radians an edge may turn the normal by; 0 = not asked for
-  double largest_sag = 0;           // distance an edge may pass the surface at; 0 = not asked for
   double least = 0;                 // bending asks for nothing smaller
   double growth = 0.3;              // largest slope of the size along edges; > 0
 };
 
 /// #V, > 0. Curvature is that of second_forms() and of the polylines that features and borders make
 /// (`feature` marks half-edges, both sides). With r the radius of curvature, a chord that turns by
-/// phi is 2 r sin(phi / 2) long, and one that passes at distance d is 2 sqrt(d (2 r - d)).
+/// phi is 2 r sin(phi / 2) long.
 /// Errors: bad_size where an option is out of range or no size is left anywhere.
 /// Cost O(#V log #V).
 Result<std::vector<double>> surface_sizes(const SurfaceMesh& mesh, std::span<const char> feature,

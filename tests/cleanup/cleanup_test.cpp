@@ -42,7 +42,6 @@ TEST_CASE("the paper's clean-up changes connectivity only for validity") {
     const QuadMesh start = trouble(seed);
     CleanupOptions options;
     options.topology = false;
-    options.smoother = Smoother::laplacian;
     const CleanupResult result = clean_up(start, uniform_fields(start, 1), options);
     check_kept(result.mesh, start);
     CHECK(result.stats.still_invalid == 0);

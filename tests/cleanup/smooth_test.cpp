@@ -24,29 +24,15 @@ TEST_CASE("smoothing never lowers the worst eta, never moves the boundary, keeps
     untangle(start);
     const std::size_t invalid = invalid_faces(start).size();
     const QuadQuality before = quad_quality(start);
-    for (const bool plain : {true, false}) {
-      QuadMesh mesh = start;
-      if (plain)
-        smooth_guarded(mesh, 5);
-      else
-        smooth_eta(mesh, uniform_fields(mesh, 1));
-      const QuadQuality after = quad_quality(mesh);
-      CHECK(after.eta_min >= before.eta_min);
-      CHECK(invalid_faces(mesh).size() <= invalid);
-      for (Index v = 0; v < mesh.fixed; ++v) CHECK(mesh.points[v] == start.points[v]);
-      CHECK(mesh.faces == start.faces);
-      if (!plain) CHECK(after.eta_mean > before.eta_mean);
-    }
+    QuadMesh mesh = start;
+    smooth_eta(mesh, uniform_fields(mesh, 1));
+    const QuadQuality after = quad_quality(mesh);
+    CHECK(after.eta_min >= before.eta_min);
+    CHECK(after.eta_mean > before.eta_mean);
+    CHECK(invalid_faces(mesh).size() <= invalid);
+    for (Index v = 0; v < mesh.fixed; ++v) CHECK(mesh.points[v] == start.points[v]);
+    CHECK(mesh.faces == start.faces);
   }
-}
-
-TEST_CASE("no star gets worse by plain smoothing") {
-  QuadMesh mesh = shaken(grid(9, 9), 0.45, 11);
-  const Csr<Index> stars = faces_at_vertices(mesh);
-  const double before = quad_quality(mesh).eta_mean;
-  smooth_guarded(mesh, 10);
-  CHECK(quad_quality(mesh).eta_mean > before);
-  CHECK(invalid_faces(mesh).empty());
 }
 
 TEST_CASE("invalid faces stay as they are and do not stop the rest") {
@@ -70,7 +56,6 @@ TEST_CASE("triangles are tolerated and stay valid") {
   mesh.faces.push_back({last[0], last[2], last[3], none});
   mesh.region.push_back(0);
   smooth_eta(mesh, uniform_fields(mesh, 1));
-  smooth_guarded(mesh, 3);
   CHECK(invalid_faces(mesh).empty());
 }
 

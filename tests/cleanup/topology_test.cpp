@@ -22,7 +22,6 @@ TEST_CASE("faces are found by their directed edges") {
     for (Index k = 0; k < 4; ++k)
       CHECK(mesh.face_with_edge(mesh.face(f)[k], mesh.face(f)[(k + 1) & 3]) == f);
   CHECK(mesh.face_with_edge(1, 0) == none);
-  CHECK(mesh.is_border(0, 1));
   CHECK(!mesh.is_wall(0, 1));
 }
 

@@ -12,6 +12,7 @@
 #include "geometry/grid.h"
 #include "mesh/quality.h"
 #include "support/field_shapes.h"
+#include "support/packed_seeds.h"
 
 using namespace lpq;
 using namespace lpq::test;

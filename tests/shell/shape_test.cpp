@@ -18,6 +18,7 @@
 #include "shell/shape/freedom.h"
 #include "shell/shape/outside.h"
 #include "shell/shape/smoother.h"
+#include "support/optimise_shape.h"
 #include "support/surface_meshes.h"
 #include "support/surface_shapes.h"
 #include "surface/curves.h"

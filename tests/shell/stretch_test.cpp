@@ -8,6 +8,7 @@
 #include "shell/rounds.h"
 #include "shell/seams.h"
 #include "shell/shape/shape.h"
+#include "support/optimise_shape.h"
 #include "support/surface_meshes.h"
 
 using namespace lpq;

@@ -77,7 +77,7 @@ inline std::vector<Topology> topology_of(const lpq::SurfaceMesh& mesh) {
     }
     // The wall that goes on where this one ends, around the same umbrella.
     Index next = lpq::next_in_triangle(e);
-    while (mesh.twins[next] != lpq::none) next = lpq::cw_around_origin(mesh, next);
+    while (mesh.twins[next] != lpq::none) next = lpq::next_in_triangle(mesh.twins[next]);
     walls.unite(e, next);
   }
   std::vector<Index> number(mesh.triangles.size(), lpq::none);

@@ -112,20 +112,6 @@ TEST_CASE("random crosses still have indices that sum to 4 chi") {
   }
 }
 
-TEST_CASE("the curvature term turns crosses into the principal directions") {
-  // Free torus: any constant turn of the crosses bends as little.
-  const SurfaceMesh mesh = torus(48, 24, 3, 1);
-  SurfaceCrossOptions options;
-  options.curvature_weight = 1;
-  const SurfaceCrossField field = solve_surface_cross(mesh, {}, options);
-  CHECK(field.singularities.empty());
-  for (Index t = 0; t < mesh.triangle_count(); ++t) {
-    const auto [a, b, c] = mesh.triangles[t];
-    const Vec3 p = mesh.points[a] + mesh.points[b] + mesh.points[c];
-    CHECK(misfit(mesh, field, t, {-p.y, p.x, 0}) < 0.05);
-  }
-}
-
 TEST_CASE("the same surface has the same field, bit for bit") {
   const SurfaceMesh mesh = sphere(8);
   const SurfaceCrossField a = solve_surface_cross(mesh, {}), b = solve_surface_cross(mesh, {});

@@ -144,20 +144,6 @@ TEST_CASE("steps are equal in int ds/h where the size varies") {
   }
 }
 
-TEST_CASE(
-    "a size along edges: the same where it is constant, finer where only the function knows") {
-  const auto box = curves_of(box_soup({1, 1, 1}, 1), 0.1);
-  auto same = mesh_curves_by([](Vec3) { return 0.1; }, box.mesh, box.features, box.curves);
-  REQUIRE(same.has_value());
-  CHECK(same->points.size() == box.nodes.points.size());
-  // A fine spot in the middle of edges that have vertices at their ends only.
-  const auto dip = [](Vec3 p) { return std::abs(p.x - 0.5) < 0.1 ? 0.01 : 0.1; };
-  auto finer = mesh_curves_by(dip, box.mesh, box.features, box.curves);
-  REQUIRE(finer.has_value());
-  check_curve_mesh(box.mesh, box.features, box.curves, *finer);
-  CHECK(finer->points.size() > box.nodes.points.size() + 4 * 10);
-}
-
 TEST_CASE("closed curves get four edges or more, and are even") {
   const double none_of_it = 180;
   for (const double h : {0.05, 0.3, 2.0, 100.0}) {

@@ -19,23 +19,22 @@ struct MeshFormatInfo {
   MeshFormat format;
   std::string_view name;     // for bindings: mesh_format_by_name
   std::string_view endings;  // of file names, the usual one first, separated by blanks
-  std::string_view program;  // who reads it
   bool in_space = true;      // holds meshes on surfaces too
 };
 
 /// Every format that can be written; help texts and error messages come from here.
 inline constexpr std::array<MeshFormatInfo, 11> mesh_formats{
-    {{MeshFormat::obj, "obj", ".obj", "Wavefront"},
-     {MeshFormat::msh, "msh", ".msh", "Gmsh"},
-     {MeshFormat::vtu, "vtu", ".vtu", "VTK XML"},
-     {MeshFormat::vtk, "vtk", ".vtk", "VTK legacy"},
-     {MeshFormat::inp, "inp", ".inp", "Abaqus, CalculiX"},
-     {MeshFormat::su2, "su2", ".su2", "SU2", false},
-     {MeshFormat::bdf, "bdf", ".bdf .nas", "Nastran"},
-     {MeshFormat::ply, "ply", ".ply", "Stanford PLY"},
-     {MeshFormat::geojson, "geojson", ".geojson", "GeoJSON"},
-     {MeshFormat::svg, "svg", ".svg", "a picture", false},
-     {MeshFormat::json, "json", ".json", "plain arrays"}}};
+    {{MeshFormat::obj, "obj", ".obj"},
+     {MeshFormat::msh, "msh", ".msh"},
+     {MeshFormat::vtu, "vtu", ".vtu"},
+     {MeshFormat::vtk, "vtk", ".vtk"},
+     {MeshFormat::inp, "inp", ".inp"},
+     {MeshFormat::su2, "su2", ".su2", false},
+     {MeshFormat::bdf, "bdf", ".bdf .nas"},
+     {MeshFormat::ply, "ply", ".ply"},
+     {MeshFormat::geojson, "geojson", ".geojson"},
+     {MeshFormat::svg, "svg", ".svg", false},
+     {MeshFormat::json, "json", ".json"}}};
 
 /// ".obj, .msh, ... or .json"
 std::string mesh_endings();

@@ -215,12 +215,4 @@ double ShapeFinisher::share() const { return run_->share(); }
 const ShapeStats& ShapeFinisher::stats() const { return run_->stats(); }
 ShellMesh ShapeFinisher::take() { return run_->take(); }
 
-ShapeStats optimise_shape(const Charted& charted, const SmoothOptions& options, ShellMesh& mesh) {
-  ShapeFinisher finisher(charted, options, std::move(mesh));
-  while (finisher.step()) {
-  }
-  mesh = finisher.take();
-  return finisher.stats();
-}
-
 }  // namespace lpq

@@ -41,7 +41,4 @@ class ShapeFinisher {
   std::unique_ptr<Run> run_;
 };
 
-/// All steps.
-ShapeStats optimise_shape(const Charted& charted, const SmoothOptions& options, ShellMesh& mesh);
-
 }  // namespace lpq

@@ -104,17 +104,6 @@ PartMap Attempt::run(MapMethod last) {
 
 }  // namespace
 
-const char* method_name(MapMethod method) {
-  switch (method) {
-    case MapMethod::bff: return "BFF";
-    case MapMethod::lscm: return "LSCM";
-    case MapMethod::scp: return "SCP";
-    case MapMethod::symmetric_dirichlet: return "symmetric Dirichlet";
-    case MapMethod::none_found: break;
-  }
-  return "none";
-}
-
 PartMap map_part(const SurfaceMesh& mesh, const Part& part, const MapLimits& limits, MapMethod last,
                  bool& solved) {
   PartMap map;

@@ -9,7 +9,6 @@
 namespace lpq {
 
 enum class MapMethod { bff, lscm, scp, symmetric_dirichlet, none_found };
-const char* method_name(MapMethod method);
 
 enum class Verdict {
   accepted,
