@@ -3,9 +3,6 @@
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
-if ! node -e 'const [a, b] = process.versions.node.split(".").map(Number); process.exit(a > 20 || (a === 20 && b >= 19) ? 0 : 1)'; then
-  echo "The playground is built with Node 20.19 or newer; this is $(node --version)." >&2
-  exit 2
-fi
+bash tests/tools/setup.sh web
 [ node_modules/.package-lock.json -nt package-lock.json ] || npm ci --no-audit --no-fund --prefer-offline >/dev/null
 node_modules/.bin/vite build -c web/vite.config.js --logLevel warn

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes sure the named commands and headers are there, installing Debian packages where it may.
-# usage: setup.sh build|test|outside|wasm|browser|clang|fuzz|referee...   (each adds its needs)
+# usage: setup.sh build|test|outside|wasm|web|browser|clang|fuzz|referee...   (each adds its needs)
 # Exit 2 with the exact packages when something is missing that it cannot install.
 set -euo pipefail
 
@@ -35,6 +35,10 @@ for part in "$@"; do
       need_command em++ emscripten
       need_command node nodejs
       need_command npm npm ;;
+    web)  # no package: Debian 12 has Node 18
+      node -e 'const [a, b] = process.versions.node.split(".").map(Number); process.exit(a > 20 || (a === 20 && b >= 19) ? 0 : 1)' 2>/dev/null || {
+        echo "The playground is built with Node 20.19 or newer; this is $(node --version 2>/dev/null || echo 'a system without Node')." >&2
+        exit 2; } ;;
     browser)
       need_command chromium chromium
       need_command firefox-esr firefox-esr ;;

@@ -4,6 +4,7 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
+bash "$here/setup.sh" web  # before the long build, not after it
 bash "$root/wasm/build.sh"
 bash "$root/web/build.sh"
 exec node "$root/web/serve.mjs" "$@"

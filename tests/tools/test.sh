@@ -9,6 +9,8 @@ bash "$here/setup.sh" build test || exit 2
 bash "$here/setup.sh" outside || echo "Without these the tests in tests/outside are skipped."
 wasm=yes
 bash "$here/setup.sh" wasm || { wasm=no; echo "SKIPPED: the npm package, for want of these."; }
+web=$wasm
+bash "$here/setup.sh" web || { web=no; echo "SKIPPED: the playground, for want of this."; }
 bash "$here/setup.sh" browser || echo "Without these the package is not tried in browsers."
 jobs=$(nproc 2>/dev/null || echo 2)
 passed=0 failed=0
@@ -84,6 +86,7 @@ run_tests release
 sanitized=${LPQ_SANITIZED:-dev}
 bash "$here/build.sh" "$sanitized" -- -DLPQ_TESTS=ON "$pch" || exit 1
 run_tests "$sanitized" -L 'quick|fuzz'
-[ $wasm = no ] || { test_package; test_web; }
+[ $wasm = no ] || test_package
+[ $web = no ] || test_web
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]
