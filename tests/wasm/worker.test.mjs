@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { Worker } from 'node:worker_threads';
 
-import { createLpquad, createLpquadWorker, dist, meshHash, plate, rejectionOf, sha256, square } from './support.mjs';
+import { createLpquad, createLpquadWorker, dist, LpquadError, meshHash, plate, rejectionOf, sha256, square } from './support.mjs';
 
 const lpquad = await createLpquad();
 const options = { size: 0.1, method: 'paper', iterations: 20 };
@@ -56,6 +56,21 @@ test('errors come back whole', async () => {
   assert.deepEqual({ x: error.where.x, y: error.where.y }, { x: 2.4, y: 2.4 });
   assert.match((await rejectionOf('BAD_OPTION', remote.meshDomain(square, { siz: 1 }))).message, /'size'/);
   assert.match((await rejectionOf('PARSE_ERROR', remote.meshDomain({ loops: 5 }))).message, /^domain\.loops /);
+});
+
+test('a fault of the library comes back as an error without a code', async () => {
+  const { serve } = await import(dist('worker-thread.js'));
+  const { LpquadWorker } = await import(dist('client.js'));
+  const faulty = { writeMesh() { throw Object.assign(new TypeError('broken'), { code: 'ERR_BROKEN' }); } };
+  const client = new LpquadWorker(({ message }) => {
+    const hear = serve({ postMessage: message }, async () => faulty);
+    return { post: hear, terminate() {} };
+  }, {});
+  await assert.rejects(client.writeMesh({}, 'obj'), (error) => {
+    assert.ok(!(error instanceof LpquadError));
+    assert.deepEqual([error.name, error.message, error.code], ['TypeError', 'broken', undefined]);
+    return true;
+  });
 });
 
 test('functions are refused, and the worker lives on', async () => {

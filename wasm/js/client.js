@@ -44,7 +44,7 @@ export class LpquadWorker {
     if (progress !== undefined) return call.onProgress?.(progress);
     this.#calls.delete(id);
     this.#worker?.busy?.(this.#calls.size > 0);
-    if (error !== undefined) call.reject(new LpquadError(error.code, error.message, error.where));
+    if (error !== undefined) call.reject(revived(error));
     else call.resolve(value);
   }
 
@@ -207,6 +207,11 @@ class RemoteSession extends RemoteRun {
   async clone() { return this.#worker.adopt(await this.#worker.run('clone', {})); }
 }
 if (Symbol.asyncDispose) RemoteRun.prototype[Symbol.asyncDispose] = RemoteRun.prototype.dispose;
+
+/** The error as the direct call throws it: one without a code is a fault, and plain. */
+function revived({ name, code, message, where }) {
+  return code === undefined ? Object.assign(new Error(message), { name }) : new LpquadError(code, message, where);
+}
 
 function cancelled(signal) {
   return new LpquadError('CANCELLED', 'The run was cancelled.', {}, { cause: signal.reason });

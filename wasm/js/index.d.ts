@@ -196,7 +196,10 @@ export interface Where {
   byte?: number;
 }
 
-/** What every call of this library throws (or rejects with) when it is not the library's fault. */
+/**
+ * What every call of this library throws (or rejects with) when it is not the library's fault. Any other error is one:
+ * a mistake in the library, which the worker reports as an `Error` with the same name and message.
+ */
 export class LpquadError extends Error {
   constructor(code: string, message: string, where?: Where, options?: ErrorOptions);
   name: 'LpquadError';

@@ -138,6 +138,8 @@ function buffersOf(value, found = new Set()) {
   return [...found];
 }
 
+/** Errors lose their class on the way: only those of the library have a code and a place. */
 function portable(error) {
-  return { code: error.code ?? 'INTERNAL', message: error.message, where: error.where ?? {} };
+  const { name, message } = error;
+  return error instanceof LpquadError ? { code: error.code, message, where: error.where } : { name, message };
 }
