@@ -29,6 +29,12 @@ test('the package holds what its package.json names, and nothing else', () => {
   for (const file of readdirSync(dist(''))) assert.match(file, known);
 });
 
+test('the project says in the same words everywhere what it is', () => {
+  const { description } = JSON.parse(readFileSync(path('package.json')));
+  for (const file of ['README.md', 'CMakeLists.txt', 'wasm/js/index.d.ts', 'core/cli/help.cpp'])
+    assert.ok(readFileSync(path(file), 'utf8').toLowerCase().includes(description.toLowerCase()), file);
+});
+
 test('the .wasm files stay within their budget', (t) => {
   for (const name of readdirSync(dist('')).filter((file) => file.endsWith('.wasm') && file !== 'cli.wasm')) {
     const { length } = gzipSync(readFileSync(dist(name)), { level: 9 });

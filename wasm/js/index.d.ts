@@ -1,6 +1,6 @@
 /// <reference lib="esnext.disposable" />
 /**
- * lpquad: quadrilateral meshes of plane domains and of surfaces in space.
+ * lpquad: quadrilateral meshes of plane domains and of surfaces.
  *
  * Coordinates are pairs or threes of doubles in the caller's unit of length, which is also the unit of
  * every size. Indices count from 0. Shapes in comments: #V points, #Q quads, #T triangles, #E edges.
