@@ -189,8 +189,13 @@ test('sizes at points, a size function and an angle function are followed', () =
   assert.equal(meshHash(nested), meshHash(flat));
   const graded = lpquad.meshDomain(square, { sizeAt: (x) => (x < 0.5 ? 0.05 : 0.1) });
   assert.ok(graded.report.quads > coarse);
-  const turned = lpquad.meshDomain({ loops: [circle(0, 0, 1, 60)] }, { size: 0.15, angleAt: () => 0.3 });
+  // Everywhere but near the walls, whose direction is another.
+  const turned = lpquad.meshDomain(square, { size: 0.03, angleAt: () => 0.3 });
   checkMesh(turned);
+  const middle = [[0.5, 0.5], [0.5 + 1e-3 * Math.cos(0.3), 0.5 + 1e-3 * Math.sin(0.3)]];
+  assert.ok(medianAngle(turned, middle, 0.4) < 4);
+  assert.ok(medianAngle(lpquad.meshDomain(square, { size: 0.03 }), middle, 0.4) > 10);
+  assert.ok(Math.abs(turned.report.size.p50 - 1) < 0.1);
 });
 
 /** Median angle, in degrees up to quarter turns, between a direction and the quads' sides at most r from a segment. */
