@@ -1,4 +1,5 @@
-// The umbrella header: everything a user of the library needs.
+// The umbrella header of lpquad::lpquad: domains and surfaces to meshes, in one call or in steps.
+// Files are read and written by lpquad_io.h.
 #pragma once
 
 #include "domain/domain.h"
@@ -7,3 +8,8 @@
 #include "pipeline/mesher.h"
 #include "pipeline/options.h"
 #include "pipeline/report.h"
+#include "pipeline/session.h"
+#include "pipeline/snapshot.h"
+#include "shell/mesh_surface.h"
+#include "shell/options.h"
+#include "shell/output.h"

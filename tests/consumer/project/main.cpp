@@ -1,21 +1,42 @@
-// Meshes the unit square with nothing but what was installed.
-#include <lpquad.h>
+// Meshes a plate with a hole and a surface file, and writes both meshes for Gmsh.
+#include <lpquad/lpquad.h>
+#include <lpquad/lpquad_io.h>
 
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 
-#include "io/mesh/obj.h"
+// Prints what went wrong: code, sentence, place.
+int fail(const lpq::Error& error) {
+  std::fprintf(stderr, "%s\n", lpq::error_text(error).c_str());
+  return 1;
+}
 
-int main() {
-  lpq::DomainInput square;
-  square.regions.push_back({"", {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, {}});
-  lpq::Options options;
-  options.size = 0.1;
-  const auto outcome = lpq::mesh_domain(square, options);
-  if (!outcome) {
-    std::fprintf(stderr, "%s\n", outcome.error().message.c_str());
-    return 1;
-  }
-  const lpq::QuadQuality& quality = outcome->report.quality;
-  std::printf("%d quads, %d triangles\n", quality.quads, quality.triangles);
-  return lpq::write_obj(outcome->mesh).empty() ? 1 : 0;
+bool save(const lpq::OutputMesh& mesh, const char* file) {
+  std::ofstream out(file, std::ios::binary);
+  out << lpq::write_mesh(mesh, lpq::MeshFormat::msh);
+  return out.good();
+}
+
+int main(int count, char** arguments) {
+  lpq::DomainInput plate;
+  const std::vector<lpq::Vec2> outline{{0, 0}, {2, 0}, {2, 1}, {0, 1}};
+  const std::vector<lpq::Vec2> hole{{0.8, 0.4}, {1.2, 0.4}, {1.2, 0.6}, {0.8, 0.6}};
+  plate.regions.push_back({"plate", {outline, hole}, {}});
+  const auto plane = lpq::mesh_domain(plate, {.size = 0.1});
+  if (!plane) return fail(plane.error());
+  std::printf("plate: %d quads, %d triangles\n", plane->report.quality.quads,
+              plane->report.quality.triangles);
+  if (!save(plane->mesh, "plate.msh")) return 1;
+
+  if (count < 2) return 0;
+  std::ifstream file(arguments[1], std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  const auto soup = lpq::read_surface_file(arguments[1], bytes);
+  if (!soup) return fail(soup.error());
+  const auto shell = lpq::mesh_surface(*soup, {.size = 0.25});
+  if (!shell) return fail(shell.error());
+  std::printf("surface: %d quads, %d triangles\n", shell->report.quality.quads,
+              shell->report.quality.triangles);
+  return save(lpq::shell_output(*shell), "surface.msh") ? 0 : 1;
 }
