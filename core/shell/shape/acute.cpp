@@ -19,7 +19,7 @@ constexpr double furthest = 0.23;    // of the mesh size: farther, the crease is
 constexpr int steps = 8;             // on the way there
 constexpr double least_gain = 0.02;  // eta, from fair on
 constexpr double slack = 0.01;       // eta that the worst quad of a patch may lose
-constexpr int most_corners = 50;     // tried: where more are poor, it is not for their corners
+constexpr std::size_t most_corners = 50;  // where more are poor, it is not for their corners
 
 /// The creases that end at corners of the surface.
 class Creases {
@@ -70,24 +70,49 @@ class CornerEaser {
         stars_(faces_at_vertices(mesh)) {}
 
   Index run() {
-    for (Index f = 0; f < static_cast<Index>(mesh_.faces.size()); ++f)
-      for (const Index v : mesh_.faces[f])
-        if (tried_ < most_corners && v != none && roles_[v].on_track.vertex != none && is_poor(f))
-          eased_ += ease(f, v);
+    const std::vector<PoorCorner> corners = poor_corners();
+    if (corners.size() > most_corners || is_poor_elsewhere(corners)) return 0;
+    for (const auto& [f, v] : corners)
+      if (roles_[v].on_track.vertex != none && is_poor(f)) eased_ += ease(f, v);
     return eased_;
   }
 
  private:
+  struct PoorCorner {
+    Index face = none, vertex = none;
+  };
+
+  std::vector<PoorCorner> poor_corners() {
+    std::vector<PoorCorner> corners;
+    for (Index f = 0; f < static_cast<Index>(mesh_.faces.size()); ++f)
+      for (const Index v : mesh_.faces[f])
+        if (v != none && roles_[v].on_track.vertex != none && is_poor(f) && !creases_at(v).empty())
+          corners.push_back({f, v});
+    return corners;
+  }
+
+  /// Then no corner makes the whole mesh fair.
+  bool is_poor_elsewhere(const std::vector<PoorCorner>& corners) const {
+    std::vector<char> near(mesh_.faces.size(), 0);
+    for (const PoorCorner& corner : corners)
+      for (const Index f : faces_around(mesh_, stars_, corner.face, rings)) near[f] = 1;
+    for (Index f = 0; f < static_cast<Index>(near.size()); ++f)
+      if (!near[f] && signed_eta(ground_, mesh_, f) < fair) return true;
+    return false;
+  }
+
+  std::vector<TrackPosition> creases_at(Index v) {
+    if (!creases_) creases_.emplace(charted_, ground_.tracks);
+    return creases_->at(roles_[v].on_track.vertex);
+  }
+
   bool is_poor(Index f) const {
     const double eta = signed_eta(ground_, mesh_, f);
     return 0 <= eta && eta < poor;
   }
 
   bool ease(Index f, Index v) {
-    if (!creases_) creases_.emplace(charted_, ground_.tracks);
-    const std::vector<TrackPosition> creases = creases_->at(roles_[v].on_track.vertex);
-    if (creases.empty()) return false;
-    ++tried_;
+    const std::vector<TrackPosition> creases = creases_at(v);
     const ShapePatch patch =
         take_patch(mesh_, roles_, stars_, faces_around(mesh_, stars_, f, rings));
     const Index local = index_of(v, patch.vertex);
@@ -148,7 +173,6 @@ class CornerEaser {
   std::vector<VertexRole>& roles_;
   Csr<Index> stars_;
   std::optional<Creases> creases_;  // from the first poor quad on
-  int tried_ = 0;
   Index eased_ = 0;
 };
 

@@ -20,7 +20,7 @@ constexpr double slack = 0.005;               // of a worse one
 constexpr int most_passes = 6;                // the later ones for what the first uncovered
 // A mesh that is too coarse all over stays as it is.
 constexpr std::size_t most_tips = 1000;
-constexpr int most_trials = 3000;
+constexpr int most_trials = 1000;
 
 class TipReacher {
  public:
@@ -39,7 +39,8 @@ class TipReacher {
       const std::vector<Tip> tips = find();
       if (tips.size() > most_tips) break;
       const Index before = reached_;
-      for (const Tip& tip : tips) reach(tip);
+      for (const Tip& tip : tips)
+        if (trials_ < most_trials) reach(tip);
       if (reached_ == before) break;
     }
     return reached_;
@@ -91,7 +92,8 @@ class TipReacher {
     std::optional<ShapePatch> best;
     const auto attempt = [&](const PlaceToCover& goal, Index v) {
       ShapePatch moved = patch;
-      if (!put_on(goal, v, moved) || ++trials_ > most_trials) return;
+      if (!put_on(goal, v, moved)) return;
+      ++trials_;
       const auto after = smooth_patch(ground_, options_, moved);
       if (after.tangled > before.tangled || after.worst < std::min(before.worst - slack, poor))
         return;
