@@ -7,6 +7,7 @@
 #include "surface/components.h"
 #include "surface/corners.h"
 #include "surface/normals.h"
+#include "surface/size_field.h"
 
 namespace lpq {
 namespace {
@@ -16,9 +17,8 @@ constexpr double default_growth = 0.3;
 constexpr Index most_rounds = 12, local_rounds = 3;
 // A mesh that is only too coarse in places is good enough after so many.
 constexpr int most_doubts = 2;
-// More quads than in the first round by so much: smaller sizes are not what the surface lacks.
-constexpr double most_growth = 8;
-constexpr double some_faces = 2000;
+// Room for more quads than at first by so much: smaller sizes are not what the surface lacks.
+constexpr double most_growth = 8, some_quads = 2000;
 constexpr double one_point = 1e-12;                           // of the diagonal
 constexpr std::size_t most_faults = 100, most_doubtful = 30;  // that a round looks at
 
@@ -46,6 +46,7 @@ ChartRounds::ChartRounds(const Cut& cut, std::vector<double> size, const Surface
       options_(options),
       lines_(features_and_cuts(cut)),
       size_(std::move(size)),
+      capacity_at_first_(surface_capacity(cut.surface, size_)),
       kept_vertices_(cut.surface.points.size(), 0) {}
 
 ChartRounds::~ChartRounds() = default;
@@ -133,7 +134,6 @@ std::vector<Fault> ChartRounds::faults_at(const std::vector<Violation>& violatio
 /// Another round with smaller sizes, unless there have been enough.
 std::optional<Error> ChartRounds::try_again(const std::vector<Fault>& faults) {
   if (round_ > 1) keep_vertices(faults);
-  if (round_ == 1) faces_at_first_ = mesh_.faces.size();
   if (round_ == most_rounds || has_grown() ||
       !make_smaller(cut_.surface, faults, round_ > local_rounds, growth_of(options_), size_))
     return take_kept() ? std::nullopt : std::optional(failed(faults.front()));
@@ -143,8 +143,7 @@ std::optional<Error> ChartRounds::try_again(const std::vector<Fault>& faults) {
 }
 
 bool ChartRounds::has_grown() const {
-  return static_cast<double>(mesh_.faces.size()) >
-         some_faces + most_growth * static_cast<double>(faces_at_first_);
+  return surface_capacity(cut_.surface, size_) > some_quads + most_growth * capacity_at_first_;
 }
 
 /// Chords that cut the vertices of thin charts may cross at every size.

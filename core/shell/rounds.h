@@ -65,6 +65,7 @@ class ChartRounds {
   SurfaceOptions options_;
   SurfaceFeatures lines_;            // features and cuts
   std::vector<double> size_;         // #V
+  double capacity_at_first_;         // quads that fit before sizes became smaller
   std::vector<char> kept_vertices_;  // #V  that curves have nodes on
   SurfaceCurves curves_;
   CurveMesh nodes_;
@@ -81,7 +82,6 @@ class ChartRounds {
   std::optional<Kept> kept_;  // good enough, while a better one is tried
   int doubts_ = 0;            // rounds for meshes that were too coarse in places
   Index round_ = 1;
-  std::size_t faces_at_first_ = 0;  // of the first round
   bool done_ = false;
 };
 
