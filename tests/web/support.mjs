@@ -29,6 +29,7 @@ export async function startPlayground() {
       page.on('pageerror', (error) => page.errors.push(error.message));
       page.on('console', (message) => { if (message.type() === 'error') page.errors.push(message.text()); });
       await page.goto(`${server.origin}/web/${hash}`);
+      await page.waitForFunction(() => 'playground' in globalThis);  // the page has loaded before its parts are together
       return page;
     },
     async close() {
