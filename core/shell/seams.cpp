@@ -19,6 +19,9 @@ constexpr double margin = 1.5;  // around a window, for vertices between those t
 constexpr double smallest_radius = 3.5;
 constexpr double shrink = 0.7;         // of a window without a good map
 constexpr double covered_share = 0.5;  // of the radius: what a window has dealt with
+// Triangles in windows without a map, for each of the surface: what noise consists of has none, and
+// shapes from nature stay under 200.
+constexpr double most_in_vain = 300, some_triangles = 1000;
 
 /// A feature with one face on both sides: windows may look across.
 bool lies_inside(const Charted& charted, Index e) {
@@ -109,10 +112,14 @@ class SeamFinisher::Run {
   /// The largest that can be around the vertex.
   void open_window(std::size_t v, Rework kind, double largest_radius) {
     const double h = charted_.size[charted_.mesh.triangles[mesh_.places[v].triangle][0]];
-    for (double radius = largest_radius; radius >= smallest_radius; radius *= shrink) {
-      auto window = windows_.open(
-          mesh_, balls_.ball(mesh_.places[v].triangle, (radius + margin) * h, margin * h));
-      if (!window) continue;
+    for (double radius = largest_radius; radius >= smallest_radius && !is_in_vain();
+         radius *= shrink) {
+      const Ball ball = balls_.ball(mesh_.places[v].triangle, (radius + margin) * h, margin * h);
+      auto window = windows_.open(mesh_, ball);
+      if (!window) {
+        stats_.in_vain += static_cast<double>(ball.triangles.size());
+        continue;
+      }
       ++stats_.windows;
       const Vec3 centre = mesh_.points[v];
       if (auto quads = rework(*window, kind, options_, seed_++)) {
@@ -123,6 +130,10 @@ class SeamFinisher::Run {
         if (distance(mesh_.points[w], centre) < covered_share * radius * h) wanted_[w] = 0;
       return;
     }
+  }
+
+  bool is_in_vain() const {
+    return stats_.in_vain > most_in_vain * (charted_.mesh.triangle_count() + some_triangles);
   }
 
   void put_back(const Window& window, const QuadMesh& quads) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/rng.h"
 #include "catch.h"
 #include "numerics/elementary.h"
 #include "shell/check.h"
@@ -342,6 +343,18 @@ TEST_CASE("a tip thinner than every size ends in a plain reason, not in ever sma
   } else {
     CHECK(outcome.error().code == ErrorCode::no_valid_mesh);
   }
+}
+
+TEST_CASE("on noise, windows without a map are not looked for without end", "[slow]") {
+  SurfaceMesh noisy = sphere(8);
+  Rng rng(1);
+  for (Vec3& p : noisy.points) p = rng.between(0.8, 1.2) * p;
+  const auto outcome = mesh_surface(soup_of(noisy), {.size = 0.25});
+  REQUIRE(outcome.has_value());
+  const double triangles = noisy.triangle_count();
+  const double most = 300 * (triangles + 1000);
+  CHECK(outcome->report.seams.in_vain > most);  // the noise is such
+  CHECK(outcome->report.seams.in_vain <= most + triangles);
 }
 
 TEST_CASE("surfaces beyond the range of calculation are refused as such") {
