@@ -1,18 +1,36 @@
 // See cli.h.
 #include "cli/cli.h"
 
+#include <algorithm>
 #include <array>
 #include <new>
 
 #include "base/nearest_name.h"
+#include "cli/args.h"
 #include "cli/commands.h"
 #include "cli/help.h"
 #include "io/error_text.h"
 
 namespace lpq {
+namespace {
+
+/// Messages name options as libraries know them: "raise maxElements" -> "raise --max-elements".
+template <class Table>
+void name_flags(const Table& table, std::string& text) {
+  each_field(table, [&](const char* name, const auto&, const FieldInfo&) {
+    const std::string_view word = name;
+    if (std::none_of(word.begin(), word.end(), [](char c) { return 'A' <= c && c <= 'Z'; })) return;
+    for (std::size_t at; (at = text.find(word)) != std::string::npos;)
+      text.replace(at, word.size(), option_flag(word));
+  });
+}
+
+}  // namespace
 
 void print_error(const CliStreams& streams, std::string_view file, const Error& error) {
   std::string text = "error " + error_text(error);
+  name_flags(Options{}, text);
+  name_flags(SurfaceOptions{}, text);
   if (!file.empty()) text = std::string(file) + ": " + text;
   streams.err(text + "\n");
 }

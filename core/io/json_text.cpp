@@ -48,7 +48,6 @@ Error JsonText::error(ErrorCode code, std::string message) const {
   Error error{code, std::move(message), {}};
   error.where.byte = byte;
   error.where.line = 1 + std::count(text_.data(), text_.data() + byte, '\n');
-  error.message += " (line " + std::to_string(error.where.line) + ")";
   return error;
 }
 

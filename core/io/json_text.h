@@ -32,10 +32,11 @@ class JsonText {
 
   bool parse(Sax& sax);
   /// The reading has come to the last byte.
+  bool is_blank() const { return json_.find_first_not_of(" \t\r\n") == std::string::npos; }
   bool at_end() const { return reached_ == json_.data() + json_.size(); }
   /// The empty string read last stands for NaN or Infinity.
   bool is_bare_literal() const;
-  /// An error at the byte read last; its line is also said in the message.
+  /// An error at the byte read last, with its line.
   Error error(ErrorCode code, std::string message) const;
 
  private:

@@ -146,7 +146,11 @@ TEST_CASE("exit codes and sentences") {
       run({"mesh", folder.write("broken.json", "{\"loops\": ["), "-o", folder / "x.obj"});
   CHECK(broken.code == 3);
   CHECK(contains(broken.err, "error PARSE_ERROR: "));
-  CHECK(contains(broken.err, "line 1"));
+  CHECK(contains(broken.err, "the text ends within loops[0]. (line 1 byte 10)\n"));
+  const auto nothing = run({"mesh", folder.write("empty.json", ""), "-o", folder / "x.obj"});
+  CHECK(contains(nothing.err, "the text is empty. (line 1"));
+  const auto too_many = run({"mesh", square, "-o", folder / "x.obj", "--size", "1e-6"});
+  CHECK(contains(too_many.err, "raise --max-elements."));
   CHECK(run({"mesh", square, "-o", folder / "missing.json/../x.obj/"}).code != 1);
   CHECK(run({"check"}).code == 2);
   CHECK(run({"check", folder / "missing.obj"}).code == 3);

@@ -238,10 +238,13 @@ bool Reader::parse_error(std::size_t, const std::string& token,
   if (problem.id == json_number_overflow) {
     fail(ErrorCode::non_finite,
          path() + " is too large for a double: " + token.substr(0, 40) + ".");
+  } else if (text_.is_blank()) {
+    fail(ErrorCode::parse_error, "This is not valid JSON: the text is empty.");
   } else if (text_.at_end() && !frames_.empty()) {
     fail(ErrorCode::parse_error, "This is not valid JSON: the text ends within " + path() + ".");
   } else {
-    fail(ErrorCode::parse_error, "This is not valid JSON: unexpected text at " + path() + ".");
+    const std::string where = frames_.empty() ? "" : " at " + path();
+    fail(ErrorCode::parse_error, "This is not valid JSON: unexpected text" + where + ".");
   }
   return false;
 }

@@ -17,7 +17,7 @@ namespace {
 class PlyNumbers {
  public:
   PlyNumbers(std::string_view bytes, const PlyHeader& header)
-      : bytes_(bytes), format_(header.format), next_(header.size) {}
+      : bytes_(bytes), format_(header.format), start_(header.size), next_(header.size) {}
 
   bool failed() const { return failed_; }
   bool at_end() const { return next_ >= bytes_.size(); }
@@ -75,7 +75,7 @@ class PlyNumbers {
 
   std::string_view bytes_;
   PlyFormat format_;
-  std::size_t start_ = 0, next_;
+  std::size_t start_, next_;
   bool failed_ = false;
 };
 
@@ -148,7 +148,7 @@ class PlyReader {
     const Index at[] = {element.find("x"), element.find("y"), element.find("z")};
     for (const Index i : at)
       if (i == none || element.properties[i].is_list)
-        return fail("Vertices need the properties x, y and z.");
+        return fail("The header names no x, y and z of vertices, each one number.");
     Index size = element.find("size");
     if (size != none && element.properties[size].is_list) size = none;
     for (std::int64_t v = 0; v < element.count && !failed_; ++v) {
