@@ -180,7 +180,7 @@ class SurfaceMesher::Run {
   std::optional<Error> finish_seams() {
     const StageTimer timer = timed("seams");
     if (!seams_) {
-      seams_.emplace(rounds_->charted(), chart_options(options_), ShellMesh(outcome_.mesh));
+      seams_.emplace(rounds_->charted(), window_options(options_), ShellMesh(outcome_.mesh));
       return std::nullopt;
     }
     if (seams_->step()) return std::nullopt;

@@ -7,7 +7,6 @@ Options chart_options(const SurfaceOptions& options) {
   Options planar;
   planar.keep_boundary = true;
   planar.method = options.method;
-  planar.effort = options.effort;
   planar.seeds = options.seeds;
   planar.norm = options.norm;
   planar.iterations = options.iterations;
@@ -17,6 +16,12 @@ Options chart_options(const SurfaceOptions& options) {
   planar.size_weight = options.size_weight;
   planar.smoothing = options.smoothing;
   planar.max_elements = options.max_elements;
+  return planar;
+}
+
+Options window_options(const SurfaceOptions& options) {
+  Options planar = chart_options(options);
+  planar.effort = options.effort;
   return planar;
 }
 

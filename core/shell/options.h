@@ -56,7 +56,10 @@ void each_field(O& o, F&& visit) {
                   "Refuse before allocating when more elements than this are expected."});
 }
 
-/// What the planar chain of one chart is asked for.
+/// What the planar chain of one chart is asked for. Never high effort: what charts settle on the
+/// union must undo (with it mean eta is 0.003 lower, of eight shapes).
 Options chart_options(const SurfaceOptions& options);
+/// For windows of the union: the same, with the caller's effort.
+Options window_options(const SurfaceOptions& options);
 
 }  // namespace lpq

@@ -28,8 +28,8 @@ double merit(const QuadMesh& mesh, const Fields& fields, const PatchOptions& opt
   return energy.value + options.credit * weight;
 }
 
-/// Chance first: of what high effort spends, a quarter in normal runs. Cooler than in the plane: a
-/// window is small, and its mesh good but where the cut was.
+/// Chance first. Cooler than in the plane: a window is small, and its mesh good but where the cut
+/// was.
 PatchOptions search_options(const Options& options, std::uint64_t seed) {
   const double trials = options.effort == Effort::high ? 80 : 20;
   PatchOptions patches = annealing_options(options);
@@ -54,8 +54,7 @@ QuadMesh remeshed(QuadMesh quads, const Fields& fields, const PatchOptions& patc
 std::optional<QuadMesh> rework(const Window& window, Rework kind, const Options& options,
                                std::uint64_t seed) {
   const bool is_seam = kind == Rework::seam;
-  const bool in_order = is_seam && options.effort == Effort::normal;
-  const PatchOptions patches = in_order ? patch_options(options) : search_options(options, seed);
+  const PatchOptions patches = is_seam ? patch_options(options) : search_options(options, seed);
   const Index bad_before = quad_quality(window.quads).nonconvex;
   QuadMesh quads = window.quads;
   if (is_seam || bad_before > 0)

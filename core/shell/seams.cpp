@@ -14,7 +14,7 @@ namespace {
 
 constexpr double seam_radius = 13;  // in mesh sizes
 constexpr double knot_radius = 18;  // far enough to see what irregular vertices could cancel
-constexpr int seam_passes = 2, knot_passes = 2, passes = seam_passes + knot_passes;
+constexpr int seam_passes = 2, knot_passes = 2, knot_passes_of_high_effort = 4;
 constexpr double margin = 1.5;  // around a window, for vertices between those that stay
 constexpr double smallest_radius = 3.5;
 constexpr double shrink = 0.7;         // of a window without a good map
@@ -45,6 +45,8 @@ class SeamFinisher::Run {
       : coarse_(wants_coarse_ground(charted) ? std::make_unique<CoarseGround>(charted) : nullptr),
         charted_(coarse_ ? coarse_->charted() : charted),
         options_(options),
+        passes_(seam_passes +
+                (options.effort == Effort::high ? knot_passes_of_high_effort : knot_passes)),
         mesh_(std::move(mesh)),
         barrier_(barrier_of(charted_)),
         balls_(charted_.mesh, barrier_),
@@ -60,7 +62,7 @@ class SeamFinisher::Run {
 
   /// One window after the other over the vertices that want one.
   bool step() {
-    if (pass_ == passes) return false;
+    if (pass_ == passes_) return false;
     while (next_ < wanted_.size()) {
       const std::size_t v = next_++;
       if (!wanted_[v] || mesh_.places[v].triangle == none) continue;
@@ -71,13 +73,13 @@ class SeamFinisher::Run {
       return true;
     }
     end_pass();
-    return pass_ < passes;
+    return pass_ < passes_;
   }
 
   double share() const {
     const double of_pass =
         wanted_.empty() ? 0 : static_cast<double>(next_) / static_cast<double>(wanted_.size());
-    return (pass_ + of_pass) / passes;
+    return (pass_ + of_pass) / passes_;
   }
   const SeamStats& stats() const { return stats_; }
   ShellMesh take() {
@@ -93,7 +95,7 @@ class SeamFinisher::Run {
       wanted_ = rim_;
     } else {
       compact();
-      wanted_ = pass_ < passes ? knots() : std::vector<char>();
+      wanted_ = pass_ < passes_ ? knots() : std::vector<char>();
     }
     rim_.assign(mesh_.points.size(), 0);
   }
@@ -190,6 +192,7 @@ class SeamFinisher::Run {
   std::unique_ptr<CoarseGround> coarse_;  // where the surface is too fine
   Charted charted_;                       // on the coarse ground, if there is one
   Options options_;
+  int passes_;  // over the seams, then over the knots
   ShellMesh mesh_;
   ShellMesh before_;           // with places on the fine surface; empty where that is the ground
   std::vector<char> barrier_;  // #half-edges

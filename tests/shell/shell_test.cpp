@@ -1,7 +1,9 @@
 // Surfaces from end to end: the union conforms and has the topology of the surface, features are
 // edges of the mesh, and cuts leave no trace that a person would see.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include "base/rng.h"
@@ -343,6 +345,30 @@ TEST_CASE("a tip thinner than every size ends in a plain reason, not in ever sma
   } else {
     CHECK(outcome.error().code == ErrorCode::no_valid_mesh);
   }
+}
+
+TEST_CASE("high effort goes on from the same charts, and leaves no more irregular vertices",
+          "[slow]") {
+  std::array<ShellOutcome, 2> outcomes;
+  std::array<ShellMesh, 2> of_charts;
+  for (const int high : {0, 1}) {
+    SurfaceOptions options{.size = 0.1};
+    if (high) options.effort = Effort::high;
+    auto mesher = SurfaceMesher::start(soup_of(torus(60, 30, 1, 0.35)), options);
+    REQUIRE(mesher.has_value());
+    while (mesher->stage() < SurfaceStage::seams) REQUIRE(mesher->step().has_value());
+    of_charts[high] = mesher->mesh();
+    while (mesher->stage() != SurfaceStage::done) REQUIRE(mesher->step().has_value());
+    outcomes[high] = mesher->outcome();
+  }
+  CHECK(of_charts[0].points == of_charts[1].points);
+  CHECK(of_charts[0].faces == of_charts[1].faces);
+  const auto irregular = [](const ShellOutcome& outcome) {
+    const auto& valences = outcome.report.quality.valence_histogram;
+    return std::accumulate(valences.begin(), valences.end(), 0) - valences[4];
+  };
+  CHECK(irregular(outcomes[1]) <= irregular(outcomes[0]));
+  CHECK(outcomes[1].report.seams.windows > outcomes[0].report.seams.windows);
 }
 
 TEST_CASE("on noise, windows without a map are not looked for without end", "[slow]") {
