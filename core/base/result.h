@@ -31,7 +31,7 @@ enum class ErrorCode {
   region_conflict,           // two regions overlap
   bad_size,                  // a mesh size that is not positive, or larger than the domain
   odd_boundary,              // all quads asked for, but 4 Q = 2 E_int + B needs an even B
-  too_narrow,                // a gap too small for double precision
+  too_narrow,                // a warning: a long gap whose walls get longer edges
   lost_precision,            // coordinates too coarse (far from the origin) for this mesh size
   too_many_elements,         // refused before allocating
   too_large,                 // a file or count beyond the stated limits

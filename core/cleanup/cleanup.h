@@ -1,6 +1,6 @@
 // After the matching: topological repairs and guarded smoothing. Boundary vertices never move,
 // walls are never crossed, and every accepted change keeps validity and does not lower the worst
-// quality of its neighbourhood.
+// quality of its neighbourhood below a floor.
 #pragma once
 
 #include "field/field.h"

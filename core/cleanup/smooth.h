@@ -1,5 +1,5 @@
 // Smoothing that cannot do harm: vertices of the 1D mesh stay, a strictly convex face stays
-// strictly convex, and the worst eta of the mesh never falls.
+// strictly convex, and the worst eta of the mesh falls at most to a floor.
 #pragma once
 
 #include "field/field.h"

@@ -29,13 +29,14 @@ void each_field(O& o, F&& visit) {
   static const std::string output_help =
       "The mesh: " + mesh_endings() + "; for several inputs a folder, or a name with {}.";
   visit("output", o.output, FieldInfo{0, 0, "file", output_help.c_str()});
-  visit("svg", o.svg, FieldInfo{0, 0, "file", "A picture of the mesh."});
+  visit("svg", o.svg, FieldInfo{0, 0, "file", "A picture of the mesh (domains only)."});
   visit("uv", o.uv,
         FieldInfo{0, 0, "file", "The charts of a surface: an .obj with texture coordinates."});
   visit("report", o.report,
         FieldInfo{0, 0, "file",
                   "Counts, quality, energies and times as JSON; on failure the error."});
-  visit("stages", o.stages, FieldInfo{0, 0, "folder", "Every intermediate value of the run."});
+  visit("stages", o.stages,
+        FieldInfo{0, 0, "folder", "Every intermediate value of the run (domains only)."});
   each_field(o.write, visit);
   visit("threads", o.threads,
         FieldInfo{0, 1024, "",

@@ -1,6 +1,8 @@
 // See help.h.
 #include "cli/help.h"
 
+#include <map>
+#include <string>
 #include <string_view>
 
 #include "cli/args.h"
@@ -91,18 +93,29 @@ void append_options(std::string& out, const Table& table, Wanted&& wanted) {
   });
 }
 
-/// Shared options are described once, with the domains.
-void append_surface_options(std::string& out) {
-  const Options planar;
-  const SurfaceOptions surface;
-  std::string shared;
-  each_field(surface, [&](const char* name, const auto&, const FieldInfo&) {
-    const std::string flag = option_flag(name);
-    if (has_option(planar, flag)) shared += (shared.empty() ? "" : ", ") + flag;
+/// What every option of a table is and by itself, by flag.
+template <class Table>
+std::map<std::string, std::string> texts_of(const Table& table) {
+  std::map<std::string, std::string> texts;
+  each_field(table, [&](const char* name, const auto& value, const FieldInfo& info) {
+    texts[option_flag(name)] = info.help + default_text(value);
   });
+  return texts;
+}
+
+/// Options that are the same for both are described once, with the domains.
+void append_surface_options(std::string& out) {
+  const auto planar = texts_of(Options{}), surface = texts_of(SurfaceOptions{});
+  const auto is_shared = [&](const std::string& flag) {
+    const auto at = planar.find(flag);
+    return at != planar.end() && at->second == surface.at(flag);
+  };
+  std::string shared;
+  for (const auto& [flag, text] : surface)
+    if (is_shared(flag)) shared += (shared.empty() ? "" : ", ") + flag;
   out += "\nSurfaces\n  ";
-  append_wrapped(out, "Of the options above, surfaces know " + shared + "; and their own:", 2);
-  append_options(out, surface, [&](const std::string& flag) { return !has_option(planar, flag); });
+  append_wrapped(out, "Of the method, surfaces know " + shared + " as above; and for them:", 2);
+  append_options(out, SurfaceOptions{}, [&](const std::string& flag) { return !is_shared(flag); });
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ class JsonText {
   JsonText& operator=(const JsonText&) = delete;
 
   bool parse(Sax& sax);
-  /// The reading has come to the last byte.
   bool is_blank() const { return json_.find_first_not_of(" \t\r\n") == std::string::npos; }
+  /// The reading has come to the last byte.
   bool at_end() const { return reached_ == json_.data() + json_.size(); }
   /// The empty string read last stands for NaN or Infinity.
   bool is_bare_literal() const;

@@ -55,7 +55,7 @@ void drop_flat_heights(OutputMesh& mesh);
 /// A region's name, or "region 2" (1-based; "domain" if it is the only one) where it has none.
 std::string region_label(const OutputMesh& mesh, Index region);
 
-/// eta of a quad (mesh/quality.h, in space shell/quality.h); 0 for a triangle.
+/// eta of a face (mesh/quality.h); in space of a quad (shell/quality.h), 0 for a triangle.
 double output_eta(const OutputMesh& mesh, const Face& face);
 
 }  // namespace lpq

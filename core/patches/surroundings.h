@@ -9,7 +9,6 @@
 
 namespace lpq {
 
-/// A filling in its surroundings.
 /// What the fields ask of each face.
 struct Aims {
   std::vector<double> target;  // 1/h^2
@@ -21,12 +20,12 @@ struct Aims {
   void clear();
 };
 
+/// A filling in its surroundings.
 struct Trial {
-  QuadMesh mesh;               // vertices of the surroundings first, as numbered there
-  std::vector<double> target;  // #F  1/h^2 of each face
-  Aims aims;                   // #F
-  Index filled = 0;            // the first faces are the filling's
-  double energy = 0;           // of all faces
+  QuadMesh mesh;      // vertices of the surroundings first, as numbered there
+  Aims aims;          // #F
+  Index filled = 0;   // the first faces are the filling's
+  double energy = 0;  // of all faces
 };
 
 struct RelaxOptions {

@@ -75,6 +75,7 @@ Result<Mesher> Mesher::start(const DomainInput& input, const Options& options,
   report.warnings = p.domain.warnings;
   report.warnings.insert(report.warnings.end(), p.boundary.warnings.begin(),
                          p.boundary.warnings.end());
+  mesher.fields_ = {mesher.prepared_, &p.fields};
   mesher.attempts_ = plan_attempts(options, !p.seeds.empty());
   return mesher;
 }

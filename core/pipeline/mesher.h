@@ -32,7 +32,7 @@ class Mesher {
 
   /// Advances by one stage, or inside the long ones by a bounded piece of work: `iterations`
   /// iterations of L_p, a few patches, some iterations of smoothing. After the call stage() is what
-  /// comes next. Errors: no_valid_mesh, lost_precision.
+  /// comes next. Errors: no_valid_mesh, too_many_elements, those of triangulate().
   Result<Stage> step(int iterations = 1);
 
   Stage stage() const { return stage_; }

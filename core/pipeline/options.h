@@ -79,10 +79,9 @@ void each_lp_field(O& o, F&& visit) {
           0, 2, "",
           "Initial points: aligned with the cross field, isotropic, or what the method prefers."});
   visit("norm", o.norm, FieldInfo{2, 20, "", "Exponent p of the L_p energy."});
-  visit(
-      "iterations", o.iterations,
-      FieldInfo{-1, 100000, "",
-                "L-BFGS iterations; -1 is 80 for an isotropic start and none for an aligned one."});
+  visit("iterations", o.iterations,
+        FieldInfo{-1, 100000, "",
+                  "L-BFGS iterations; -1 is 80, but none for an aligned start of the best chain."});
   visit(
       "restarts", o.restarts,
       FieldInfo{-1, 1000, "",
@@ -96,8 +95,8 @@ requires std::is_same_v<std::remove_const_t<O>, Options>
 void each_field(O& o, F&& visit) {
   visit("size", o.size,
         FieldInfo{0, 1e300, "length",
-                  "Target edge length; 0 takes the domain's own h, or the boundary's spacing when "
-                  "it is kept."});
+                  "Target edge length; 0 takes the domain's own h (about 1000 quads where it has "
+                  "none), or the boundary's spacing when it is kept."});
   visit("keepBoundary", o.keep_boundary,
         FieldInfo{0, 1, "", "The given points are the boundary mesh and come back bit for bit."});
   visit("elements", o.elements,
@@ -111,8 +110,10 @@ void each_field(O& o, F&& visit) {
                   "best: the chain of stages that measures best; paper: isotropic start, L_p, "
                   "Blossom, smoothing."});
   each_lp_field(o, visit);
-  visit("seed", o.seed,
-        FieldInfo{0, 9007199254740991.0, "", "Seed of the isotropic start's jitter."});
+  visit(
+      "seed", o.seed,
+      FieldInfo{0, 9007199254740991.0, "",
+                "Seed of the isotropic start's jitter, and of what high effort draws at random."});
   visit("growth", o.growth,
         FieldInfo{0, 10, "",
                   "Largest slope of the size field; 0 is 0.08, or up to 0.3 where 0.08 would cost "

@@ -22,12 +22,13 @@ class Session {
   static Result<Session> start(const DomainInput& input, const Options& options = {},
                                const UserFields& user = {}, Memory memory = Memory::everything);
 
-  /// Up to n ticks: one iteration each in the L_p stage, one stage elsewhere. Stops at the end.
+  /// Up to n ticks, each one Mesher::step(): an iteration of L_p, a few patches, some iterations of
+  /// smoothing, or a whole stage. Stops at the end.
   /// Errors: those of Mesher::step; the run is over then, but restore() still leads back.
   Result<Stage> step(int n = 1);
   /// Goes to the state after k ticks, forwards or backwards; the same values as the first time.
-  /// Cost: a copy and at most k/6 + 1
-  /// ticks. Errors: bad_option when k < 0 or there is no memory of it, those of step.
+  /// Cost: backwards a copy and at most a sixth of the ticks made so far, forwards the ticks
+  /// between. Errors: bad_option when k < 0 or there is no memory of it, those of step.
   Result<Stage> restore(int k);
 
   int ticks() const { return ticks_; }

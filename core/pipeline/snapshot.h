@@ -51,7 +51,7 @@ struct MatchingLayer {
 struct QuadLayer {
   std::vector<Vec2> points;    // #V
   std::vector<Face> faces;     // #F  quads first, then triangles
-  std::vector<double> eta;     // #F  0 for a triangle
+  std::vector<double> eta;     // #F  of a triangle: triangle_eta (mesh/quality.h)
   std::vector<Index> valence;  // #V  faces at the vertex
   std::vector<Index> excess;   // #V  faces beyond the number wanted there; 0 = regular
   Index fixed = 0;

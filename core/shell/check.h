@@ -13,8 +13,8 @@ namespace lpq {
 /// Every vertex used and finite, no face with a vertex twice, every edge in two faces in opposite
 /// directions, except edges of walls (`edges`), which have as many faces on either side as the
 /// surface has there; the faces at a vertex hang together, but where the surface does not; the same
-/// Euler number as the surface. At most `limit` violations; all but that of the Euler number name a
-/// vertex. Cost O(#F log #F).
+/// Euler number as the surface. At most `limit` violations; all name a vertex but those of unused
+/// and infinite vertices and that of the Euler number. Cost O(#F log #F).
 std::vector<Violation> check_shell(const SurfaceMesh& surface, const ShellMesh& mesh,
                                    std::size_t limit = 10);
 

@@ -31,7 +31,7 @@ struct ShellReport {
   Index charts = 0;
   ChartCounts chart_counts;
   std::vector<SurfaceSingularity> singularities;
-  Index rounds = 1;                // of sizes made smaller where a chart had no mesh
+  Index rounds = 1;                // of the charts: one more whenever sizes became smaller
   std::vector<BodyReport> bodies;  // empty if the input does not tell them
   SeamStats seams;
   ShapeStats shape;

@@ -1,5 +1,6 @@
 // What can be seen of a run on a surface at any moment, layer by layer, as pipeline/snapshot.h has
-// it for the plane. A layer is empty until its stage is over.
+// it for the plane. A layer is empty until its stage is over; cells and quads can be seen while
+// charts are meshed.
 #pragma once
 
 #include <vector>

@@ -141,6 +141,16 @@ TEST_CASE("a copy goes its own way") {
   CHECK(session.mesher().report().hash == copy.mesher().report().hash);
 }
 
+TEST_CASE("both fields can be seen before the first step") {
+  Session session = started(disc(0.1));
+  const CrossLayer crosses = cross_layer(session.mesher());
+  const SizeLayer sizes = size_layer(session.mesher());
+  REQUIRE(session.step());
+  CHECK(!crosses.axis.empty());
+  CHECK(crosses.axis == cross_layer(session.mesher()).axis);
+  CHECK(sizes.h == size_layer(session.mesher()).h);
+}
+
 TEST_CASE("the layers of a session agree with the domain and with each other") {
   Session session = started(annulus(0.1));
   REQUIRE(session.step(4));

@@ -17,7 +17,7 @@ export interface CadOptions {
   size?: number;
   /** Lengths of the result for STEP and IGES; BREP files have no unit. @default 'millimeter' */
   unit?: 'millimeter' | 'centimeter' | 'meter' | 'inch' | 'foot';
-  /** Largest distance of a chord from the shape, as a length. @default size / 200 */
+  /** Largest distance of a chord from the shape, as a length. @default size / 200, or 0.0002 of the box's mean side without a size */
   linearDeflection?: number;
   /** Largest turn over a chord, in radians. @default 0.2 */
   angularDeflection?: number;

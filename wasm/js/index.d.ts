@@ -208,7 +208,7 @@ export class LpquadError extends Error {
   where: Where;
 }
 
-/** Where a run is. A tick is one iteration of the L_p stage, or one whole stage elsewhere. */
+/** Where a run is. A tick is one iteration of the L_p stage, a few patches, some iterations of the smoothing, or a whole stage. */
 export interface State extends Progress {
   tick: number;
   /** Of the L_p energy, without unit; 0 outside the optimisation. */
@@ -241,7 +241,8 @@ export interface Snapshot extends State {
   sizes?: { points: Float64Array; triangles: Uint32Array; sizes: Float64Array };
   /**
    * The triangles that were matched, the partner of each (-1: none), whether an extra edge joins
-   * the two, and the cost of the pair in units of 10⁻⁴ (1 - η).
+   * the two, and the price of the choice: 10⁴ (1 - η), and more for sides off the crosses, flat quads, valences and
+   * extra edges.
    */
   matching?: { points: Float64Array; triangles: Uint32Array; mates: Int32Array; extra: Int32Array; costs: Float64Array };
   /** η per face (quads first as listed, then triangles), valence per vertex and its excess. */
@@ -319,7 +320,7 @@ export interface Lpquad extends Description {
    * @throws {LpquadError} codes as in `errorCodes`; the instance stays usable.
    */
   meshDomain(domain: Domain, options?: MeshCallOptions): MeshResult;
-  /** The same in steps. `memory: false` forgets the past: less memory, no way back. */
+  /** The same in steps. `memory: false` forgets the past: less memory, no way back, and no layer `matching`. */
   start(domain: Domain, options?: Omit<MeshCallOptions, 'onProgress'> & { memory?: boolean }): Session;
   /** A domain from the text or bytes of a file. The code for it is loaded on first use. */
   readDomain(source: string | Uint8Array | ArrayBuffer, options?: ReadOptions): Promise<ReadDomain>;

@@ -105,7 +105,7 @@ export interface SurfaceReport {
   featureEdges: number;
   charts: number;
   singularities: number;
-  /** Of sizes made smaller where a chart had no mesh. */
+  /** Times that the charts were meshed: 1, and one more whenever sizes were made smaller where there was no mesh or too coarse a one. */
   rounds: number;
   windowsOpened: number;
   windowsAccepted: number;
@@ -121,7 +121,7 @@ export interface SurfaceReport {
   /** Measured in space; `nonconvex` quads are said in `warnings`. */
   quality: Report['quality'];
   size: Report['size'];
-  /** Of the mesh (vertices, middles of edges and faces) from the surface, and of the surface's vertices from the mesh. */
+  /** Of the mesh (vertices, middles of edges and faces) from the surface, and of the surface (vertices, and places a quarter of a side apart) from the mesh. */
   distance: Record<'toSurface' | 'fromSurface', { max: number; mean: number }>;
   /** The mesh of each body; `[]` where the surface does not tell bodies. A closed one has no border edge. */
   bodies: { name: string; vertices: number; quads: number; triangles: number; parts: number; borderEdges: number }[];
@@ -144,7 +144,7 @@ export interface SurfaceLayers {
   quads?: boolean;
 }
 
-/** Layers but `cells` are empty until their stage is over, and stay from then on. Vertices and triangles are those of `surface`. */
+/** Layers but `surface`, `cells` and `quads` are empty until their stage is over, and stay from then on. Vertices and triangles are those of `surface`. */
 export interface SurfaceSnapshot extends SurfaceProgress {
   /** The surface as repaired. */
   surface?: SurfaceMeshResult['surface'];

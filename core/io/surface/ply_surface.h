@@ -8,7 +8,8 @@
 
 namespace lpq {
 
-/// Text, or bytes of either order. Of element `vertex` x, y, z; of element `face` the corners
+/// Text, or bytes of either order. Of element `vertex` x, y, z and, as the size wanted there, size;
+/// of element `face` the corners
 /// (vertex_indices or vertex_index) and, as its group, an integer property region, group or
 /// material_index; everything else is passed over. Faces with fewer than three corners are left out
 /// with a warning. Memory is bounded by the size of the file. Errors: parse_error or non_finite
