@@ -163,9 +163,10 @@ Result<TriMesh> BackgroundBuilder::coarse() const {
 }
 
 Result<TriMesh> BackgroundBuilder::fine(const TriMesh& coarse, OnCoarse largest_leaf,
-                                        OnCoarse interior_value,
+                                        OnCoarse interior_value, double most_leaves,
                                         std::vector<double>& interior_values) {
   double weights[3];
+  const double most_cells = tree_.cell_count() + most_leaves;
   for (Index t = 0; t < coarse.triangle_count(); ++t) {
     const auto p = corners(coarse, t);
     const double height = height_of(p);
@@ -176,9 +177,14 @@ Result<TriMesh> BackgroundBuilder::fine(const TriMesh& coarse, OnCoarse largest_
       const Vec2 q = weights[0] * p[0] + weights[1] * p[1] + weights[2] * p[2];
       const double largest = largest_leaf(t, weights, q);
       if (height < thinnest * largest || box.side <= leaf_slack * largest) return false;
-      return tree_.split(cell);
+      return tree_.cell_count() < most_cells && tree_.split(cell);
     });
   }
+  if (tree_.cell_count() >= most_cells)
+    return Error{ErrorCode::too_many_elements,
+                 "The sizes are so small in places that more elements would be needed than the "
+                 "limit allows. Use larger sizes or raise maxElements.",
+                 {}};
   tree_.balance();
   // Where the coarse triangle that contains a leaf's centre is known, so is that it lies inside.
   const std::vector<char> blocked = blocked_leaves();

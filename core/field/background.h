@@ -33,9 +33,10 @@ class BackgroundBuilder {
   /// Refines so that no leaf is larger than `largest_leaf(t, weights, point)`, a function on the
   /// triangles of the coarse mesh given barycentric weights and the point they describe (always in
   /// the triangle). `interior_value`, same arguments, is then read at each new interior vertex.
+  /// Errors: too_many_elements where that needs more than `most_leaves` new ones.
   using OnCoarse = FunctionRef<double(Index t, const double (&weights)[3], Vec2 point)>;
   Result<TriMesh> fine(const TriMesh& coarse, OnCoarse largest_leaf, OnCoarse interior_value,
-                       std::vector<double>& interior_values);
+                       double most_leaves, std::vector<double>& interior_values);
 
  private:
   std::vector<char> blocked_leaves() const;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/too_many_elements.h"
 #include "field/background.h"
 #include "field/cross_field.h"
 #include "field/guides.h"
@@ -22,6 +23,10 @@ namespace {
 // A size function may vary anywhere: unless the caller knows better, it is looked at on leaves of
 // at most this share of the domain.
 constexpr double function_resolution = 1.0 / 48;
+// A size function may be small where the coarse background did not look: no more new leaves than
+// any mesh within the limit would need, as a leaf is some quads wide.
+constexpr double leaves_beside_quads = 1e5, leaves_per_quad = 2;
+constexpr double largest_angle = 1e4;  // radians, for sin_cos of four times as much
 
 // From this distance to the walls on, in units of h, the background grows further, as the square
 // root of the distance: the crosses turn by about h / distance per h there, and a phase carried
@@ -153,8 +158,9 @@ Result<CrossField> crosses(const TriMesh& mesh, const FieldOptions& options,
   field.z.reserve(mesh.points.size());
   for (const Vec2 p : mesh.points) {
     const double angle = options.angle_function(p);
-    if (!std::isfinite(angle))
-      return error_at(ErrorCode::non_finite, "The direction is not a finite number here.", p);
+    if (!(std::abs(angle) < largest_angle))
+      return error_at(ErrorCode::non_finite,
+                      "The direction is not a number of radians below 10000 here.", p);
     const auto [s, c] = sin_cos(4 * angle);
     field.z.push_back({c, s});
   }
@@ -188,6 +194,19 @@ Result<TriMesh> coarse_sizes(const BackgroundBuilder& builder, const BoundaryMes
   return coarse;
 }
 
+/// The integral of 1/h^2.
+double quads_of(const TriMesh& mesh, std::span<const double> h) {
+  double quads = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const double area =
+        0.5 * cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
+    // Exact for quadratic integrands; 1/h^2 varies by a small factor in a triangle.
+    for (const double middle : {h[a] + h[b], h[b] + h[c], h[c] + h[a]})
+      quads += area / 3 * 4 / (middle * middle);
+  }
+  return quads;
+}
+
 }  // namespace
 
 Result<double> estimate_quads(const BoundaryMesh& boundary, const FieldOptions& options) {
@@ -195,15 +214,7 @@ Result<double> estimate_quads(const BoundaryMesh& boundary, const FieldOptions& 
   std::vector<double> h;
   const Result<TriMesh> mesh = coarse_sizes(builder_for(boundary, options), boundary, options, h);
   if (!mesh) return mesh.error();
-  double quads = 0;
-  for (const auto& [a, b, c] : mesh->triangles) {
-    const double area =
-        0.5 * cross(mesh->points[b] - mesh->points[a], mesh->points[c] - mesh->points[a]);
-    // Exact for quadratic integrands; 1/h^2 varies by a small factor in a triangle.
-    for (const double middle : {h[a] + h[b], h[b] + h[c], h[c] + h[a]})
-      quads += area / 3 * 4 / (middle * middle);
-  }
-  return quads;
+  return quads_of(*mesh, h);
 }
 
 Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& options) {
@@ -212,6 +223,8 @@ Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& opt
   std::vector<double> coarse_h;
   const Result<TriMesh> coarse = coarse_sizes(builder, boundary, options, coarse_h);
   if (!coarse) return coarse.error();
+  if (const double quads = quads_of(*coarse, coarse_h); quads > options.max_quads)
+    return too_many_elements(quads, options.max_quads);
 
   const auto size_at = [&](Index t, const double(&weights)[3], Vec2 point) {
     const double h = interpolate(*coarse, coarse_h, t, weights);
@@ -228,7 +241,8 @@ Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& opt
   const std::vector<Chord> guides = chords_of(options.guides, *coarse, coarse_h);
   builder.refine(sources_along(guides));
   std::vector<double> interior_h;
-  Result<TriMesh> fine = builder.fine(*coarse, largest_leaf, size_at, interior_h);
+  const double most_leaves = leaves_beside_quads + leaves_per_quad * options.max_quads;
+  Result<TriMesh> fine = builder.fine(*coarse, largest_leaf, size_at, most_leaves, interior_h);
   if (!fine) return fine.error();
 
   Fields fields;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "base/result.h"
@@ -19,6 +20,7 @@ struct FieldOptions {
   std::function<double(Vec2)> angle_function;  // the caller's theta(x); replaces the Laplace solve
   std::function<Vec2(Vec2)> stretch_function;  // of Fields::stretch
   double growth = 0.3;                         // largest slope of h; > 0
+  double max_quads = std::numeric_limits<double>::infinity();
   double coarseness = 3;  // background spacing in units of h off the walls; more beyond 20 h
 };
 
@@ -28,8 +30,8 @@ struct FieldOptions {
 /// edges that they meet, where the background is as fine as the target; size field by Laplace on
 /// log h from the spacing (or the caller's), limited to the given growth.
 /// Errors: bad_size; non_finite for an angle or a guide; bad_option for a guide without a direction
-/// (see Where::guide).  Cost: two sparse Cholesky
-/// factorisations of the background.
+/// (see Where::guide); too_many_elements where the sizes ask for more than `max_quads`. Cost: two
+/// sparse Cholesky factorisations of the background.
 Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& options = {});
 
 /// About how many quads these sizes ask for, the integral of 1/h^2, from the coarse background

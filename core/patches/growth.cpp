@@ -48,13 +48,6 @@ void PatchGrowth::add_ring() {
   for (std::size_t i = 0; i < vertices; ++i) add_star(vertices_[i]);
 }
 
-// Quads that the patch should have at v for v to be regular.
-Index PatchGrowth::wanted(Index v, Index f) const {
-  if (!mesh_.is_fixed(v)) return 4 - (mesh_.valence(v) - count_[v]);
-  const IdealValence::Count now = ideal_.sector_count(mesh_, v, f);
-  return now.ideal - (now.quads - count_[v]);
-}
-
 // Three quads or more are wanted where faces outside are left to give.
 bool PatchGrowth::bends_inwards(Index v) const {
   if (!mesh_.is_fixed(v)) return count_[v] < mesh_.valence(v) && mesh_.valence(v) - count_[v] <= 1;

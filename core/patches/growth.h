@@ -41,7 +41,6 @@ class PatchGrowth {
     Index face = none;  // of the patch, at the vertex
     Index next = none;  // vertex
   };
-  Index wanted(Index v, Index f) const;
   bool bends_inwards(Index v) const;
   Rim rim_after(Index v, Index f) const;
   bool walk(std::vector<Index>& loop, std::vector<Index>& face) const;

@@ -58,7 +58,6 @@ class PatchRemesher {
   /// The search ended early, because patches hardly ever helped.
   bool gave_up() const { return gave_up_; }
   const PatchStats& stats() const { return stats_; }
-  int pass() const { return static_cast<int>(pass_); }
   /// The mesh as it is.
   QuadMesh mesh() const;
 

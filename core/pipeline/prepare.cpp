@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/too_many_elements.h"
 #include "field/make_fields.h"
 
 namespace lpq {
@@ -70,12 +71,7 @@ Result<double> judge_size(const Domain& domain, const Options& options) {
             ". Move the domain closer to the origin, or use a larger size.",
         {}};
   const double estimate = size > 0 ? domain.area / (size * size) : 0;
-  if (estimate > options.max_elements)
-    return Error{
-        ErrorCode::too_many_elements,
-        "About " + short_number(estimate) + " elements would be needed, more than the limit of " +
-            std::to_string(options.max_elements) + ". Use a larger size or raise maxElements.",
-        {}};
+  if (estimate > options.max_elements) return too_many_elements(estimate, options.max_elements);
   return size;
 }
 
@@ -113,7 +109,7 @@ BoundaryOptions boundary_options(const Domain& domain, const Options& options,
 
 // The caller's fields, moved into the unit frame.
 FieldOptions field_options(const UnitFrame& frame, const UserFields& user, double size,
-                           double growth) {
+                           double growth, double most_quads) {
   FieldOptions fields;
   fields.size = size;
   fields.growth = growth;
@@ -127,6 +123,7 @@ FieldOptions field_options(const UnitFrame& frame, const UserFields& user, doubl
     fields.size_function = [frame, size_at = user.size](Vec2 p) {
       return frame.length_to_frame(size_at(frame.to_world(p)));
     };
+  fields.max_quads = most_quads;
   fields.function_detail = frame.length_to_frame(user.detail);
   if (user.angle)
     fields.angle_function = [frame, angle_at = user.angle](Vec2 p) {
@@ -164,7 +161,8 @@ Result<Graded> grade(const Domain& domain, const Options& options, const UserFie
       sample_boundary(domain, boundary_options(domain, options, user, size, growth, most_nodes));
   if (!boundary) return boundary.error();
   if (user.stretch) stretch_spacing(domain.frame, user, *boundary);
-  return Graded{std::move(*boundary), field_options(domain.frame, user, size, growth)};
+  return Graded{std::move(*boundary),
+                field_options(domain.frame, user, size, growth, options.max_elements)};
 }
 
 // Between two slopes the number of quads goes about as 1/slope.

@@ -143,7 +143,7 @@ bool ChartRun::keep_better(const QuadMesh& quads, OutputMesh output) {
 
 /// Where the border allows a plain grid, and that is better.
 bool ChartRun::take_grid(const Options& options) {
-  auto grid = mapped_grid(mesher_->boundary());
+  auto grid = mapped_grid(mesher_->boundary(), cell_capacity(mesher_->fields()));
   if (!grid) return false;
   smooth_eta(*grid, mesher_->fields(), shape_smoothing(options));
   return keep_better(*grid, mesher_->output_of(*grid));

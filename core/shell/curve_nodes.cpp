@@ -2,6 +2,7 @@
 #include "shell/curve_nodes.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace lpq {
 
@@ -25,7 +26,7 @@ CurveNodes::CurveNodes(const SurfaceMesh& mesh, const SurfaceEdges& edges,
     }
   }
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return a.edge != b.edge ? a.edge < b.edge : a.at.share < b.at.share;
+    return std::tie(a.edge, a.at.share, a.at.node) < std::tie(b.edge, b.at.share, b.at.node);
   });
   std::size_t next = 0;
   for (Index edge = 0; edge < edges.count(); ++edge) {

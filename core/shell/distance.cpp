@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "shell/face_fans.h"
 #include "shell/nearest_triangle.h"
@@ -12,6 +13,7 @@ namespace lpq {
 namespace {
 
 constexpr double sample_step = 0.25;  // of the mean side
+constexpr double most_samples = 32;   // of the surface for each face of the mesh
 
 /// Points with the areas they stand for.
 struct Samples {
@@ -81,6 +83,14 @@ Samples surface_samples(std::span<const Vec3> points, std::span<const Tri> trian
   return result;
 }
 
+/// Not too many where a few faces are far smaller than the others.
+double least_step(std::span<const Vec3> points, std::span<const Tri> triangles,
+                  const ShellMesh& mesh) {
+  double area = 0;
+  for (const auto& [a, b, c] : triangles) area += area_of(points[a], points[b], points[c]);
+  return std::sqrt(area / (most_samples * static_cast<double>(mesh.faces.size())));
+}
+
 double mean_side(const ShellMesh& mesh) {
   double sum = 0;
   int count = 0;
@@ -116,7 +126,7 @@ SurfaceDistance surface_distance(std::span<const Vec3> points, std::span<const T
                                  const ShellMesh& mesh) {
   const FaceFans fans = face_fans(mesh);
   const NearestTriangle surface(points, triangles), faces(fans.points, fans.triangles);
-  const double step = sample_step * mean_side(mesh);
+  const double step = std::max(sample_step * mean_side(mesh), least_step(points, triangles, mesh));
   return {measure(fan_samples(fans), surface),
           measure(surface_samples(points, triangles, step), faces)};
 }

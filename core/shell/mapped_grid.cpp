@@ -43,6 +43,14 @@ std::vector<Index> corners_of(const BoundaryMesh& boundary, const std::vector<In
   return corners;
 }
 
+constexpr double most_off = 1.5;
+
+/// But for half a quad at every edge of the border: counts are whole.
+bool is_near(double quads, double wanted, double border_edges) {
+  const double rounding = 0.5 * border_edges;
+  return quads < most_off * (wanted + rounding) && wanted < most_off * (quads + rounding);
+}
+
 class GridMaker {
  public:
   /// `loop` begins at a corner; `across` and `along` edges on its first two sides.
@@ -90,14 +98,15 @@ class GridMaker {
 
 }  // namespace
 
-std::optional<QuadMesh> mapped_grid(const BoundaryMesh& boundary) {
+std::optional<QuadMesh> mapped_grid(const BoundaryMesh& boundary, double wanted) {
   std::vector<Index> loop = loop_of(boundary);
   const std::vector<Index> corners = corners_of(boundary, loop);
   if (corners.empty()) return std::nullopt;
   const Index across = corners[1] - corners[0], along = corners[2] - corners[1];
   const bool balanced =
       corners[3] - corners[2] == across && 2 * (across + along) == static_cast<Index>(loop.size());
-  if (!balanced) return std::nullopt;
+  if (!balanced || !is_near(1.0 * across * along, wanted, 2.0 * (across + along)))
+    return std::nullopt;
   std::rotate(loop.begin(), loop.begin() + corners[0], loop.end());
   loop.push_back(Index{loop[0]});
   QuadMesh grid = GridMaker(boundary, std::move(loop), across, along).run();

@@ -11,7 +11,8 @@ namespace lpq {
 /// Transfinite interpolation [GH73] between the four sides of a disk, in the unit
 /// frame. None unless at exactly four nodes of the border one quad is wanted and everywhere else
 /// two, opposite sides have as many edges, nothing divides the inside, and every quad comes out
-/// convex. Cost O(#quads).
-std::optional<QuadMesh> mapped_grid(const BoundaryMesh& boundary);
+/// convex; and none where far more or fewer quads are `wanted` (the integral of 1/h^2) than its
+/// border makes. Cost O(#quads).
+std::optional<QuadMesh> mapped_grid(const BoundaryMesh& boundary, double wanted);
 
 }  // namespace lpq

@@ -9,6 +9,12 @@
 #include "shell/place.h"
 
 namespace lpq {
+namespace {
+
+constexpr const char* no_plane = "The triangles there cannot be laid out flat.";
+
+}  // namespace
+
 ChartsMesher::ChartsMesher(const Charted& charted, const Options& options, PlaneMeshes& made)
     : charted_(charted),
       options_(options),
@@ -64,7 +70,16 @@ std::array<Index, 2> ChartsMesher::sides_of(Index curve, Index number) const {
   return sides;
 }
 
+/// A chart for which no map was found has none.
+bool ChartsMesher::has_plane(Index chart) const {
+  return charted_.atlas.charts[chart].method != MapMethod::none_found;
+}
+
 void ChartsMesher::step() {
+  if (!has_plane(chart_)) {
+    result_.failures.push_back({chart_++, {ErrorCode::no_valid_mesh, no_plane, {}}, {}});
+    return;
+  }
   if (!run_) run_ = std::make_unique<ChartRun>(charted_, nodes_, chart_);
   auto at = made_.find(run_->key());
   if (at == made_.end()) {
@@ -89,7 +104,7 @@ bool ChartsMesher::mesh_planes(int threads, FunctionRef<bool(Index)> keep_going)
   std::atomic<bool> go_on{true};
   const auto ask = [&] { go_on = go_on && keep_going(over); };
   const auto mesh = [&](std::size_t chart, int thread) {
-    if (!go_on) return;
+    if (!go_on || !has_plane(static_cast<Index>(chart))) return;
     ChartRun run(charted_, nodes_, static_cast<Index>(chart));
     keys[chart] = run.key();
     const bool known = made_.find(run.key()) != made_.end();

@@ -78,6 +78,7 @@ class ChartsMesher {
   void pin_nodes();
   std::array<Index, 2> sides_of(Index curve, Index number) const;
   void lift(const OutputMesh& plane);
+  bool has_plane(Index chart) const;
   void note(const Error& error);
 
   Charted charted_;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/share_out.h"
+#include "base/too_many_elements.h"
 #include "numerics/elementary.h"
 #include "pipeline/shape_options.h"
 #include "pipeline/stage_timer.h"
@@ -127,12 +128,7 @@ class SurfaceMesher::Run {
     if (!size) return size.error();
     size_ = std::move(*size);
     const double quads = surface_capacity(surface(), size_);
-    if (quads > options_.max_elements)
-      return Error{
-          ErrorCode::too_many_elements,
-          "About " + short_number(quads) + " elements would be needed, more than the limit of " +
-              std::to_string(options_.max_elements) + ". Use a larger size or raise maxElements.",
-          {}};
+    if (quads > options_.max_elements) return too_many_elements(quads, options_.max_elements);
     return std::nullopt;
   }
 

@@ -17,11 +17,12 @@ namespace {
 // Points as near as this, relative to the diagonal, may be the two sides of a slit: of the order of
 // what CAD kernels take for one point.
 constexpr double slit_width = 1e-6;
-// A triangle lower than this, relative to the diagonal, is flat: what rounding leaves of collinear
-// points. Removing it moves the surface by no more than that.
 constexpr double smallest_surface = 1e-30,
                  largest_surface = 1e30;  // sixth powers of lengths are taken
+// A triangle lower than this, relative to the diagonal, is flat: what rounding leaves of collinear
+// points. Removing it moves the surface by no more than that.
 constexpr double flat_height = 1e-10;
+constexpr double most_shorter = 0.9;  // of the edges may be shorter than the distance of welding
 constexpr double largest_coordinate = 1e100;
 constexpr double least_weld = 1e-15;  // below the last bit of the coordinates: equal points only
 
@@ -37,6 +38,7 @@ class Repair {
 
   Result<RepairedSurface> run() {
     if (auto checked = check_input(); !checked) return checked.error();
+    if (const auto near = check_weld(); !near) return near.error();
     part_bodies();
     weld();
     drop_collapsed();
@@ -151,6 +153,32 @@ class Repair {
         v = next_copy[v];
         next_copy.push_back(none);
       }
+  }
+
+  /// A point far away from all others, or too large a weld, would make one point of nearly all.
+  Result<int> check_weld() const {
+    const double reach = options_.weld * diagonal_;
+    double edges = 0, shorter = 0;
+    Vec3 sum{};
+    for (const Tri& t : soup_.triangles)
+      for (int k = 0; k < 3; ++k) {
+        const double side = distance(soup_.points[t[k]], soup_.points[t[(k + 1) % 3]]);
+        sum += soup_.points[t[k]];
+        edges += side > 0;
+        shorter += side > 0 && side < reach;
+      }
+    if (shorter <= most_shorter * edges) return 0;
+    const Vec3 mean = (1 / (3.0 * static_cast<double>(soup_.triangles.size()))) * sum;
+    Vec3 far = mean;
+    for (const Tri& t : soup_.triangles)
+      for (const Index v : t)
+        if (distance(soup_.points[v], mean) > distance(far, mean)) far = soup_.points[v];
+    return Error{ErrorCode::lost_precision,
+                 "Nearly all edges are shorter than " + short_number(reach) +
+                     ", the distance at which points become one. Is the point (" +
+                     short_number(far.x) + ", " + short_number(far.y) + ", " + short_number(far.z) +
+                     ") in its place? If so, use a smaller weld.",
+                 {}};
   }
 
   void weld() {

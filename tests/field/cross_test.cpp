@@ -123,11 +123,13 @@ TEST_CASE("the caller's angle replaces the solve") {
   CHECK(std::abs(s.grad_theta.x - 0.1) < 1e-3);
 }
 
-TEST_CASE("an angle that is no number is refused with its place") {
-  FieldOptions options;
-  options.angle_function = [](Vec2 p) { return p.x > 0.5 ? std::nan("") : 0.0; };
-  const auto fields = make_fields(square_boundary(0.1), options);
-  REQUIRE(!fields.has_value());
-  CHECK(fields.error().code == ErrorCode::non_finite);
-  CHECK(fields.error().where.x > 0.5);
+TEST_CASE("an angle that is no number, or beyond all turns, is refused with its place") {
+  for (const double wrong : {std::nan(""), 1e300, -1e5}) {
+    FieldOptions options;
+    options.angle_function = [wrong](Vec2 p) { return p.x > 0.5 ? wrong : 0.0; };
+    const auto fields = make_fields(square_boundary(0.1), options);
+    REQUIRE(!fields.has_value());
+    CHECK(fields.error().code == ErrorCode::non_finite);
+    CHECK(fields.error().where.x > 0.5);
+  }
 }

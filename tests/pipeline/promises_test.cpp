@@ -108,6 +108,17 @@ TEST_CASE("sizes that make no sense are refused before any work") {
   CHECK(code(5) == ErrorCode::bad_size);
   CHECK(code(1e-9) == ErrorCode::too_many_elements);
 
+  // Small all over, or in a place that nobody looks at first.
+  const std::function<double(Vec2)> functions[] = {
+      [](Vec2) { return 1e-7; }, [](Vec2 p) { return 0.05 * std::abs(p.x - 0.3) + 1e-9; }};
+  for (const auto& size : functions) {
+    UserFields user;
+    user.size = size;
+    const auto refused = mesh_domain(square(1, 0.1), {.max_elements = 100000}, {}, nullptr, user);
+    REQUIRE(!refused.has_value());
+    CHECK(refused.error().code == ErrorCode::too_many_elements);
+  }
+
   const Loop far{{1e15, 1e15}, {1e15 + 8, 1e15}, {1e15 + 8, 1e15 + 8}, {1e15, 1e15 + 8}};
   DomainInput input;
   input.regions.push_back({"", {far}, {}});

@@ -60,7 +60,7 @@ TEST_CASE("a face with four balanced sides is a grid", "[shell][grid]") {
   const int start = GENERATE(0, 2, 7);  // the loop may begin anywhere
   std::rotate(points.begin(), points.begin() + start, points.end());
   const BoundaryMesh boundary = boundary_of(points);
-  const auto grid = mapped_grid(boundary);
+  const auto grid = mapped_grid(boundary, 15);
   REQUIRE(grid);
   CHECK(grid->faces.size() == 15);
   CHECK(grid->points.size() == 24);
@@ -76,34 +76,41 @@ TEST_CASE("a face with four balanced sides is a grid", "[shell][grid]") {
 }
 
 TEST_CASE("a strip one quad wide is a grid without inner vertices", "[shell][grid]") {
-  const auto grid = mapped_grid(boundary_of(square({1, 4, 1, 4}, same)));
+  const auto grid = mapped_grid(boundary_of(square({1, 4, 1, 4}, same)), 4);
   REQUIRE(grid);
   CHECK(grid->faces.size() == 4);
   CHECK(grid->points.size() == 10);
 }
 
+TEST_CASE("no grid where its number is not what the sizes ask for", "[shell][grid]") {
+  const BoundaryMesh boundary = boundary_of(square({20, 20, 20, 20}, same));
+  for (const double wanted : {390.0, 400.0, 600.0}) CHECK(mapped_grid(boundary, wanted));
+  for (const double wanted : {50.0, 1000.0}) CHECK_FALSE(mapped_grid(boundary, wanted));
+  CHECK(mapped_grid(boundary_of(square({1, 1, 1, 1}, same)), 0.01));
+}
+
 TEST_CASE("other borders have no grid", "[shell][grid]") {
   SECTION("sides that differ") {
-    CHECK_FALSE(mapped_grid(boundary_of(square({5, 3, 4, 4}, same))));
+    CHECK_FALSE(mapped_grid(boundary_of(square({5, 3, 4, 4}, same)), 16));
   }
   SECTION("a hollow corner") {
-    CHECK_FALSE(
-        mapped_grid(boundary_of({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 1}})));
+    CHECK_FALSE(mapped_grid(
+        boundary_of({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 1}}), 3));
   }
   SECTION("a circle") {
     std::vector<Vec2> points;
     for (int k = 0; k < 16; ++k) points.push_back({std::cos(k * 0.3927), std::sin(k * 0.3927)});
-    CHECK_FALSE(mapped_grid(boundary_of(points)));
+    CHECK_FALSE(mapped_grid(boundary_of(points), 16));
   }
   SECTION("a hole") {
     BoundaryMesh boundary = boundary_of(square({4, 4, 4, 4}, same));
     add_loop({{0.4, 0.4}, {0.4, 0.6}, {0.6, 0.6}, {0.6, 0.4}}, boundary);
-    CHECK_FALSE(mapped_grid(boundary));
+    CHECK_FALSE(mapped_grid(boundary, 16));
   }
   SECTION("a node inside") {
     BoundaryMesh boundary = boundary_of(square({4, 4, 4, 4}, same));
     boundary.points.push_back({0.5, 0.5});
-    CHECK_FALSE(mapped_grid(boundary));
+    CHECK_FALSE(mapped_grid(boundary, 16));
   }
   SECTION("a wall inside") {
     BoundaryMesh boundary = boundary_of(square({2, 2, 2, 2}, same));
@@ -112,6 +119,6 @@ TEST_CASE("other borders have no grid", "[shell][grid]") {
     wall.b = 5;
     wall.left = wall.right = 0;
     boundary.edges.push_back(wall);
-    CHECK_FALSE(mapped_grid(boundary));
+    CHECK_FALSE(mapped_grid(boundary, 16));
   }
 }

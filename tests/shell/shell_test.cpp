@@ -110,6 +110,33 @@ TEST_CASE("sizes at points win over the size, and grow from there") {
   }
 }
 
+TEST_CASE("sizes inside a flat face, or at its border alone, are followed") {
+  const auto quads = [](auto&& is_fine, double fine) {
+    SurfaceSoup soup = soup_of(plane_square(10));
+    soup.sizes.assign(soup.points.size(), 0);
+    for (std::size_t p = 0; p < soup.points.size(); ++p)
+      if (is_fine(soup.points[p])) soup.sizes[p] = fine;
+    return meshed(soup, {.size = 0.1}).report.quality.quads;
+  };
+  const auto is_middle = [](Vec3 p) { return length(p - Vec3{0.5, 0.5, 0}) < 1e-9; };
+  CHECK(quads(is_middle, 0.002) > 150);
+  const auto is_border = [](Vec3 p) { return p.x * p.y == 0 || p.x == 1 || p.y == 1; };
+  CHECK(quads(is_border, 0.01) < 5000);
+}
+
+TEST_CASE("a triangle that cannot be laid out flat ends in a plain reason") {
+  SurfaceSoup soup = box_soup({1, 1, 1}, 1);
+  const auto first = static_cast<Index>(soup.points.size());
+  soup.points.insert(soup.points.end(), {{3, 0, 0}, {4, 0, 0}, {4 + 5e-11, 0, 0}});
+  soup.triangles.push_back({first, first + 1, first + 2});
+  for (const int threads : {1, 2}) {
+    const auto outcome = mesh_surface(soup, {.size = 0.5, .weld = 0}, {}, threads);
+    REQUIRE(!outcome.has_value());
+    CHECK(outcome.error().code == ErrorCode::no_valid_mesh);
+    CHECK(outcome.error().message.find("laid out flat") != std::string::npos);
+  }
+}
+
 TEST_CASE("threads change nothing, and can be told to stop") {
   const SurfaceSoup box = box_soup({1, 2, 1}, 3);
   const auto hash = [&](int threads) {

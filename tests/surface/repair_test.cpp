@@ -267,6 +267,18 @@ TEST_CASE("what cannot be a surface is refused") {
         ErrorCode::too_large);
 }
 
+TEST_CASE("a point beside which all others are one is named, not searched around") {
+  std::vector<Vec3> points;
+  std::vector<Tri> triangles;
+  for (Index k = 0; k < 20000; ++k) points.push_back({1.0 * (k % 100), 1.0 * (k / 100), 0});
+  for (Index k = 0; k + 101 < 20000; ++k) triangles.push_back({k, k + 1, k + 101});
+  points[777].z = 1e20;
+  const auto repaired = repair_surface(soup_of(points, triangles));
+  REQUIRE(!repaired.has_value());
+  CHECK(repaired.error().code == ErrorCode::lost_precision);
+  CHECK(repaired.error().message.find("(77, 7, 1e+20)") != std::string::npos);
+}
+
 TEST_CASE("sizes follow their points, the least of those that are welded") {
   SurfaceSoup soup = box_soup({1, 1, 1}, 2);  // six sides of nine points each
   soup.sizes.assign(soup.points.size(), 0);

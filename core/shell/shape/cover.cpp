@@ -12,11 +12,12 @@
 namespace lpq {
 namespace {
 
-constexpr double long_edge = 0.15;      // of the mesh size
-constexpr double between_points = 0.3;  // of the mesh size
-constexpr double needle = 0.2;          // height over the longest side
-constexpr double most_steps = 1000;     // along a side
-constexpr double tie = 1e-9;            // of equal distances
+constexpr double long_edge = 0.15;        // of the mesh size
+constexpr double between_points = 0.3;    // of the mesh size
+constexpr double needle = 0.2;            // height over the longest side
+constexpr double most_steps = 1000;       // along a side
+constexpr double least_share = 1.0 / 12;  // of three corners' sizes, for one that is far smaller
+constexpr double tie = 1e-9;              // of equal distances
 
 class PlaceFinder {
  public:
@@ -66,7 +67,9 @@ class PlaceFinder {
   void take_inside(Index t) {
     const auto [a, b, c] = mesh_.triangles[t];
     const double longest = std::max({length_of(a, b), length_of(b, c), length_of(c, a)});
-    const double step = between_points * size_[a];
+    // A fine corner alone does not make the whole triangle full of places.
+    const double size = std::max(size_[a], least_share * (size_[a] + size_[b] + size_[c]));
+    const double step = between_points * size;
     if (longest <= step) return;
     const Vec3 p = mesh_.points[a];
     const double double_area = length(cross(mesh_.points[b] - p, mesh_.points[c] - p));

@@ -25,7 +25,6 @@ class Tracks {
   std::vector<TrackPosition> positions_of(const SurfaceCurves& curves,
                                           const CurveMesh& nodes) const;
 
-  Index count() const { return curves_.count(); }
   const SurfaceCurves& curves() const { return curves_; }
   double length(Index track) const { return start_.row(track).back(); }
   bool is_loop(Index track) const { return curves_.is_loop[track]; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "numerics/elementary.h"
 
@@ -13,7 +14,7 @@ constexpr double least_slack = 1e-7;
 // Angles across an edge must exceed half a turn by more than rounding to be worth a flip.
 constexpr double least_gain = 1e-9;
 // A bound on flips per triangle; convergence is proven for exact lengths only.
-constexpr Index most_flips = 40;
+constexpr std::int64_t most_flips = 40;
 
 void add_triangle(Intrinsic& surface, Tri tri, const double (&length)[3]) {
   surface.corners.push_back(tri);
@@ -152,8 +153,8 @@ Intrinsic intrinsic_of(const SurfaceMesh& mesh, const Part& part) {
 void flip_to_delaunay(Intrinsic& surface) {
   Flipper flipper{surface, {}, std::vector<char>(surface.twins.size(), 0)};
   for (Index e = static_cast<Index>(surface.twins.size()); e-- > 0;) flipper.push(e);
-  for (Index left = most_flips * static_cast<Index>(surface.corners.size());
-       !flipper.stack.empty() && left > 0;) {
+  std::int64_t left = most_flips * static_cast<std::int64_t>(surface.corners.size());
+  while (!flipper.stack.empty() && left > 0) {
     const Index e = flipper.stack.back();
     flipper.stack.pop_back();
     flipper.waiting[e] = 0;
