@@ -9,11 +9,11 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <type_traits>
 
 #include "base/result.h"
+#include "base/words.h"
 
 namespace lpq {
 
@@ -30,13 +30,6 @@ struct ChoiceNames;
 template <class E>
 const char* choice_name(E value) {
   return ChoiceNames<E>::names[static_cast<std::size_t>(value)];
-}
-
-/// A number in a sentence: six digits, no zeros to fill up.
-inline std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
 }
 
 /// First option out of range (or NaN), if any.

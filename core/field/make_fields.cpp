@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/too_many_elements.h"
+#include "base/words.h"
 #include "field/background.h"
 #include "field/cross_field.h"
 #include "field/guides.h"

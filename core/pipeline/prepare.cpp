@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/too_many_elements.h"
+#include "base/words.h"
 #include "field/make_fields.h"
 
 namespace lpq {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "base/share_out.h"
-#include "base/too_many_elements.h"
+#include "base/words.h"
 #include "numerics/elementary.h"
 #include "pipeline/shape_options.h"
 #include "pipeline/stage_timer.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/hash.h"
+#include "base/words.h"
 #include "shell/place.h"
 #include "shell/quality.h"
 #include "shell/topology.h"
@@ -63,9 +64,8 @@ std::uint64_t hash_of(const ShellMesh& mesh) {
 Warning bent_quads(const ShellMesh& mesh, Index count) {
   const Vec3 at = mesh.points[mesh.faces[first_nonconvex(mesh)][0]];
   return {ErrorCode::no_valid_mesh,
-          "Not all quads are convex: " + std::to_string(count) + ", the first near (" +
-              short_number(at.x) + ", " + short_number(at.y) + ", " + short_number(at.z) +
-              "). A smaller size may help.",
+          "Not all quads are convex: " + std::to_string(count) + ", the first near " +
+              place_in_space(at.x, at.y, at.z) + ". A smaller size may help.",
           {}};
 }
 
@@ -82,8 +82,8 @@ void warn_of_distance(std::span<const double> size, ShellOutcome& outcome) {
   outcome.report.warnings.push_back(
       {ErrorCode::bad_size,
        "The mesh cuts off what is small for its size: the surface goes " + short_number(max) +
-           " from it near (" + short_number(at.x) + ", " + short_number(at.y) + ", " +
-           short_number(at.z) + "), where the size is " + short_number(h) + ". Use a smaller size.",
+           " from it near " + place_in_space(at.x, at.y, at.z) + ", where the size is " +
+           short_number(h) + ". Use a smaller size.",
        {}});
 }
 

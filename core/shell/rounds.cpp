@@ -1,6 +1,7 @@
 // See rounds.h.
 #include "shell/rounds.h"
 
+#include "base/words.h"
 #include "shell/check.h"
 #include "shell/place.h"
 #include "shell/topology.h"
@@ -172,8 +173,8 @@ Error ChartRounds::failed(const Fault& fault) const {
   else
     return {ErrorCode::no_valid_mesh, "No valid mesh was found: " + fault.error.message, {}};
   return {ErrorCode::no_valid_mesh,
-          "No mesh was found for the part of the surface near (" + short_number(at.x) + ", " +
-              short_number(at.y) + ", " + short_number(at.z) + "): " + fault.error.message,
+          "No mesh was found for the part of the surface near " + place_in_space(at.x, at.y, at.z) +
+              ": " + fault.error.message,
           {}};
 }
 

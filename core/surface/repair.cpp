@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/fields.h"
+#include "base/words.h"
 #include "surface/flat.h"
 #include "surface/orient.h"
 #include "surface/slits.h"
@@ -175,9 +175,9 @@ class Repair {
         if (distance(soup_.points[v], mean) > distance(far, mean)) far = soup_.points[v];
     return Error{ErrorCode::lost_precision,
                  "Nearly all edges are shorter than " + short_number(reach) +
-                     ", the distance at which points become one. Is the point (" +
-                     short_number(far.x) + ", " + short_number(far.y) + ", " + short_number(far.z) +
-                     ") in its place? If so, use a smaller weld.",
+                     ", the distance at which points become one. Is the point " +
+                     place_in_space(far.x, far.y, far.z) +
+                     " in its place? If so, use a smaller weld.",
                  {}};
   }
 

@@ -2,7 +2,7 @@
 
 export interface MeshOptions {
   /**
-   * Target edge length; 0 takes the domain's own h, or the boundary's spacing when it is kept.
+   * Target edge length; 0 takes the domain's own h (about 1000 quads where it has none), or the boundary's spacing when it is kept.
    * Unit: length.
    * Range: 0 to 1e+300.
    * @default 0
@@ -40,7 +40,7 @@ export interface MeshOptions {
    */
   norm?: number;
   /**
-   * L-BFGS iterations; -1 is 80 for an isotropic start and none for an aligned one.
+   * L-BFGS iterations; -1 is 80, but none for an aligned start of the best chain.
    * A whole number.
    * Range: -1 to 100000.
    * @default -1
@@ -54,7 +54,7 @@ export interface MeshOptions {
    */
   restarts?: number;
   /**
-   * Seed of the isotropic start's jitter.
+   * Seed of the isotropic start's jitter, and of what high effort draws at random.
    * A whole number.
    * Range: 0 to 9007199254740991.
    * @default 1
@@ -166,7 +166,7 @@ export interface SurfaceOptions {
    */
   norm?: number;
   /**
-   * L-BFGS iterations; -1 is 80 for an isotropic start and none for an aligned one.
+   * L-BFGS iterations; -1 is 80, but none for an aligned start of the best chain.
    * A whole number.
    * Range: -1 to 100000.
    * @default -1

@@ -1,0 +1,18 @@
+// Pieces of sentences that several rooms say.
+#pragma once
+
+#include <string>
+
+#include "base/result.h"
+
+namespace lpq {
+
+/// A number in a sentence: six digits, no zeros to fill up.
+std::string short_number(double value);
+
+/// "(1, 0.5, -2)"
+std::string place_in_space(double x, double y, double z);
+
+Error too_many_elements(double needed, double limit);
+
+}  // namespace lpq
