@@ -25,11 +25,10 @@ const fractionDrawn = (page) => page.evaluate(() => {
 });
 
 test('opens on cells that settle and become quads, without a click', async () => {
-  const page = await playground.open({ still: false });
-  await page.evaluate(() => {
+  const page = await playground.open({ still: false, watch: ({ runner }) => {
     globalThis.seen = [];
-    globalThis.playground.runner.subscribe(({ frame }) => { if (frame) globalThis.seen.push(frame.stage + frame.iteration); });
-  });
+    runner.subscribe(({ frame }) => { if (frame) globalThis.seen.push(frame.stage + frame.iteration); });
+  } });
   await shows(page, 'cells settle');
   await finished(page);
   const seen = [...new Set(await page.evaluate(() => globalThis.seen))];
@@ -40,11 +39,10 @@ test('opens on cells that settle and become quads, without a click', async () =>
 });
 
 test('with reduced motion the mesh is there at once, and can be scrubbed', async () => {
-  const page = await playground.open({ still: true });
-  await page.evaluate(() => {
+  const page = await playground.open({ still: true, watch: ({ runner }) => {
     globalThis.seen = new Set();
-    globalThis.playground.runner.subscribe(({ frame }) => { if (frame) globalThis.seen.add(frame.tick); });
-  });
+    runner.subscribe(({ frame }) => { if (frame) globalThis.seen.add(frame.tick); });
+  } });
   await finished(page);
   assert.equal(await page.evaluate(() => globalThis.seen.size), 1);
   await page.locator('#tick').focus();

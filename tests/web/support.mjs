@@ -18,8 +18,9 @@ export async function startPlayground() {
   return {
     address: `${server.origin}/web/`,
     browser,
-    /** @param {{hash?: string, width?: number, height?: number, dark?: boolean, still?: boolean, touch?: boolean, offline?: boolean}} [how] */
-    async open({ hash = '', width = 1280, height = 800, dark = false, still = true, touch = false, offline = false } = {}) {
+    /** @param {{hash?: string, width?: number, height?: number, dark?: boolean, still?: boolean, touch?: boolean, offline?: boolean,
+     *   watch?: (app: any) => void}} [how]  `watch` runs in the page, as soon as its parts are together */
+    async open({ hash = '', width = 1280, height = 800, dark = false, still = true, touch = false, offline = false, watch } = {}) {
       const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light',
         reducedMotion: still ? 'reduce' : 'no-preference', hasTouch: touch, acceptDownloads: true,
         serviceWorkers: offline ? 'allow' : 'block' });
@@ -28,8 +29,11 @@ export async function startPlayground() {
       page.errors = [];
       page.on('pageerror', (error) => page.errors.push(error.message));
       page.on('console', (message) => { if (message.type() === 'error') page.errors.push(message.text()); });
+      if (watch)
+        await page.addInitScript(`{ let app; Object.defineProperty(globalThis, 'playground',
+          { get: () => app, set: (value) => { app = value; (${watch})(app); } }); }`);
       await page.goto(`${server.origin}/web/${hash}`);
-      await page.waitForFunction(() => 'playground' in globalThis);  // the page has loaded before its parts are together
+      await page.waitForFunction(() => globalThis.playground !== undefined);  // the page has loaded before its parts are together
       return page;
     },
     async close() {
