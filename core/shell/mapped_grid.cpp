@@ -45,9 +45,9 @@ std::vector<Index> corners_of(const BoundaryMesh& boundary, const std::vector<In
 
 constexpr double most_off = 1.5;
 
-/// But for half a quad at every edge of the border: counts are whole.
+/// But for some quads, and half a one at every edge of the border: counts are whole.
 bool is_near(double quads, double wanted, double border_edges) {
-  const double rounding = 0.5 * border_edges;
+  const double rounding = 4 + 0.5 * border_edges;
   return quads < most_off * (wanted + rounding) && wanted < most_off * (quads + rounding);
 }
 

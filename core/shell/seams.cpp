@@ -20,8 +20,8 @@ constexpr double smallest_radius = 3.5;
 constexpr double shrink = 0.7;         // of a window without a good map
 constexpr double covered_share = 0.5;  // of the radius: what a window has dealt with
 // Triangles in windows without a map, for each of the surface: what noise consists of has none, and
-// shapes from nature stay under 200.
-constexpr double most_in_vain = 300, some_triangles = 1000;
+// other shapes stay under 401.
+constexpr double most_in_vain = 800, some_triangles = 1000;
 
 /// A feature with one face on both sides: windows may look across.
 bool lies_inside(const Charted& charted, Index e) {

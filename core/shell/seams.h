@@ -20,7 +20,7 @@ struct SeamStats {
 /// Frees the nodes on cuts and remeshes around them, and around irregular vertices: in steps of one
 /// window. On surfaces much finer than the mesh all that happens on a coarse ground
 /// (coarse_ground.h), so that windows do not cost more there than elsewhere. Where hardly a window
-/// has a map, as on noise, no more of them are tried: 300 triangles in vain for each of the
+/// has a map, as on noise, no more of them are tried: 800 triangles in vain for each of the
 /// surface.
 class SeamFinisher {
  public:
