@@ -20,7 +20,7 @@ struct FieldOptions {
   std::function<double(Vec2)> angle_function;  // the caller's theta(x); replaces the Laplace solve
   std::function<Vec2(Vec2)> stretch_function;  // of Fields::stretch
   double growth = 0.3;                         // largest slope of h; > 0
-  double max_quads = std::numeric_limits<double>::infinity();
+  double max_quads = std::numeric_limits<double>::infinity();  // refused beyond
   double coarseness = 3;  // background spacing in units of h off the walls; more beyond 20 h
 };
 
