@@ -48,8 +48,9 @@ struct RepairedSurface {
 /// Welds within bodies, drops and divides triangles, orients, and cuts where the surface is not
 /// manifold. A point that triangles of several bodies have becomes several; those come last.
 /// Errors: parse_error for a corner that is not there; empty; non_finite; too_large beyond 1e100
-/// (squares must not overflow); lost_precision for what is too small or large to calculate with, and
-/// where welding would make one point of nearly all; zero_area if nothing has height; bad_size; bad_option. Cost O(#T log #T).
+/// (squares must not overflow); lost_precision for what is too small or large to calculate with,
+/// and where welding would make one point of nearly all; zero_area if nothing has height; bad_size;
+/// bad_option. Cost O(#T log #T).
 Result<RepairedSurface> repair_surface(SurfaceSoup soup, const RepairOptions& options = {});
 
 }  // namespace lpq
