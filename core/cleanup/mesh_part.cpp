@@ -1,4 +1,5 @@
 #include "cleanup/mesh_part.h"
+#include "base/sort_unique.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,8 +12,7 @@ MeshPart extract_part(const QuadMesh& whole, const Csr<Index>& stars,
   std::vector<Index> vertices;
   for (const Index f : faces)
     for (int k = 0; k < corner_count(whole.faces[f]); ++k) vertices.push_back(whole.faces[f][k]);
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  sort_unique(vertices);
   const auto inside = [&](Index f) { return std::binary_search(faces.begin(), faces.end(), f); };
   const auto moves = [&](Index v) {
     const auto star = stars.row(v);

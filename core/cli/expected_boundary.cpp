@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/csr.h"
+#include "base/sort_unique.h"
 
 namespace lpq {
 namespace {
@@ -67,8 +68,7 @@ class Matcher {
     std::vector<DirectedEdge> sides = face_sides(mesh_);
     const std::size_t count = sides.size();
     for (std::size_t i = 0; i < count; ++i) sides.push_back({sides[i][1], sides[i][0]});
-    std::sort(sides.begin(), sides.end());
-    sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+    sort_unique(sides);
     std::size_t next = 0;
     for (Index v = 0; v < static_cast<Index>(mesh_.points.size()); ++v) {
       while (next < sides.size() && sides[next][0] == v)

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/sort_numbers.h"
+#include "base/sort_unique.h"
 
 namespace lpq {
 namespace {
@@ -54,8 +55,7 @@ void Canonicaliser::collect_tags() {
       tags.push_back(tag);
   for (const DomainInput::Point& point : outline_.input->points)
     if (!point.tag.empty()) tags.push_back(point.tag);
-  std::sort(tags.begin(), tags.end());
-  tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
+  sort_unique(tags);
 }
 
 Index Canonicaliser::tag_of(const std::string& tag) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_unique.h"
 #include "cleanup/descent.h"
 #include "cleanup/untangle.h"
 #include "mesh/quality.h"
@@ -22,11 +23,6 @@ constexpr double invalid_energy = 50;
 
 bool contains(std::span<const Index> sorted, Index value) {
   return std::binary_search(sorted.begin(), sorted.end(), value);
-}
-
-void sort_unique(std::vector<Index>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 }  // namespace

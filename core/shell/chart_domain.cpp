@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/sort_unique.h"
+
 namespace lpq {
 namespace {
 
@@ -46,10 +48,24 @@ class DomainMaker {
     });
   }
 
+  /// Around the chart and inside, ascending.
+  std::vector<Index> curves_at(const SurfaceFeatures& features, const SurfaceCurves& curves) const {
+    std::vector<Index> faces;  // features inside may divide a chart
+    for (const Index t : chart_.triangles) faces.push_back(features.face[t]);
+    sort_unique(faces);
+    std::vector<Index> at;
+    for (const Index face : faces) {
+      const auto row = curves.at_face.row(face);
+      at.insert(at.end(), row.begin(), row.end());
+    }
+    sort_unique(at);
+    return at;
+  }
+
   /// Features inside, curve by curve: polylines from node to node.
   void add_inner_features(const SurfaceFeatures& features, const SurfaceCurves& curves,
                           const Atlas& atlas) {
-    for (Index c = 0; c < curves.count(); ++c) {
+    for (const Index c : curves_at(features, curves)) {
       const auto vertices = curves.vertices.row(c);
       const auto edges = curves.edges.row(c);
       Loop line;

@@ -2,11 +2,13 @@
 #include "shell/seams.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "shell/ball.h"
 #include "shell/coarse_ground.h"
 #include "shell/place.h"
 #include "shell/rework.h"
+#include "shell/stars.h"
 #include "shell/window.h"
 
 namespace lpq {
@@ -51,21 +53,23 @@ class SeamFinisher::Run {
         barrier_(barrier_of(charted_)),
         balls_(charted_.mesh, barrier_),
         windows_(charted_.mesh, charted_.cross, charted_.size),
-        wanted_(mesh_.points.size(), 0),
         rim_(mesh_.points.size(), 0),
         seed_(options.seed) {
-    for (std::size_t v = 0; v < charted_.nodes.points.size(); ++v) wanted_[v] = !mesh_.pinned[v];
-    if (!coarse_) return;
-    before_ = mesh_;
-    coarse_->lower(mesh_);
+    for (std::size_t v = 0; v < charted_.nodes.points.size(); ++v) rim_[v] = !mesh_.pinned[v];
+    if (coarse_) {
+      before_ = mesh_;
+      coarse_->lower(mesh_);
+    }
+    find_stars();
+    want_rims();
   }
 
   /// One window after the other over the vertices that want one.
   bool step() {
     if (pass_ == passes_) return false;
     while (next_ < wanted_.size()) {
-      const std::size_t v = next_++;
-      if (!wanted_[v] || mesh_.places[v].triangle == none) continue;
+      const Index v = wanted_[next_++];
+      if (mesh_.places[v].triangle == none) continue;
       if (pass_ < seam_passes)
         open_window(v, Rework::seam, seam_radius);
       else
@@ -90,34 +94,45 @@ class SeamFinisher::Run {
  private:
   void end_pass() {
     ++pass_;
+    wanted_.clear();
     next_ = 0;
-    if (pass_ < seam_passes) {
-      wanted_ = rim_;
-    } else {
+    if (pass_ >= seam_passes) {
       compact();
-      wanted_ = pass_ < passes_ ? knots() : std::vector<char>();
+      find_stars();
     }
+    if (pass_ < seam_passes)
+      want_rims();
+    else if (pass_ < passes_)
+      want_knots();
     rim_.assign(mesh_.points.size(), 0);
   }
 
+  void find_stars() { stars_.emplace(mesh_, charted_.mesh.triangle_count()); }
+
+  /// The free vertices on cuts at first, then on the borders of windows.
+  void want_rims() {
+    for (std::size_t v = 0; v < rim_.size(); ++v)
+      if (rim_[v]) wanted_.push_back(static_cast<Index>(v));
+    rim_.assign(rim_.size(), 0);
+  }
+
   /// Free vertices where other than four quads meet.
-  std::vector<char> knots() const {
+  void want_knots() {
     std::vector<Index> valence(mesh_.points.size(), 0);
     for (const Face& face : mesh_.faces)
       for (const Index v : face)
         if (v != none) ++valence[v];
-    std::vector<char> wanted(mesh_.points.size());
-    for (std::size_t v = 0; v < wanted.size(); ++v) wanted[v] = !mesh_.pinned[v] && valence[v] != 4;
-    return wanted;
+    for (std::size_t v = 0; v < valence.size(); ++v)
+      if (!mesh_.pinned[v] && valence[v] != 4) wanted_.push_back(static_cast<Index>(v));
   }
 
   /// The largest that can be around the vertex.
-  void open_window(std::size_t v, Rework kind, double largest_radius) {
+  void open_window(Index v, Rework kind, double largest_radius) {
     const double h = charted_.size[charted_.mesh.triangles[mesh_.places[v].triangle][0]];
     for (double radius = largest_radius; radius >= smallest_radius && !is_in_vain();
          radius *= shrink) {
       const Ball ball = balls_.ball(mesh_.places[v].triangle, (radius + margin) * h, margin * h);
-      auto window = windows_.open(mesh_, ball);
+      auto window = windows_.open(mesh_, *stars_, ball);
       if (!window) {
         stats_.in_vain += static_cast<double>(ball.triangles.size());
         continue;
@@ -128,8 +143,13 @@ class SeamFinisher::Run {
         ++stats_.accepted;
         put_back(*window, *quads);
       }
-      for (std::size_t w = next_; w < wanted_.size(); ++w)
-        if (distance(mesh_.points[w], centre) < covered_share * radius * h) wanted_[w] = 0;
+      const auto is_covered = [&](Index w) {
+        return distance(mesh_.points[w], centre) < covered_share * radius * h &&
+               std::binary_search(ball.triangles.begin(), ball.triangles.end(),
+                                  mesh_.places[w].triangle);
+      };
+      wanted_.erase(std::remove_if(wanted_.begin() + next_, wanted_.end(), is_covered),
+                    wanted_.end());
       return;
     }
   }
@@ -159,6 +179,7 @@ class SeamFinisher::Run {
       mesh_.faces.push_back({number[f[0]], number[f[1]], number[f[2]], number[f[3]]});
       mesh_.face.push_back(face);
     }
+    stars_->update(mesh_);
   }
 
   /// Sweeps out what died.
@@ -198,11 +219,12 @@ class SeamFinisher::Run {
   std::vector<char> barrier_;  // #half-edges
   BallFinder balls_;
   WindowMaker windows_;
+  std::optional<ShellStars> stars_;  // of mesh_
   int pass_ = 0;
-  std::vector<char> wanted_;  // #V at the beginning of the pass: vertices that want a window
-  std::size_t next_ = 0;      // of them
-  std::vector<char> rim_;     // #V  free vertices on the borders of windows
-  std::uint64_t seed_;        // of the search in the next window
+  std::vector<Index> wanted_;  // vertices that want a window in this pass, ascending
+  std::size_t next_ = 0;       // of them
+  std::vector<char> rim_;      // #V  free vertices on the borders of windows
+  std::uint64_t seed_;         // of the search in the next window
   SeamStats stats_;
 };
 

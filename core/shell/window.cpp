@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/sort_unique.h"
 #include "cleanup/quad_topology.h"
 #include "shell/chart_fields.h"
 #include "surface/charts/checks.h"
@@ -91,20 +92,25 @@ bool WindowMaker::map(std::vector<Index> triangles, Chart& chart) {
   return true;
 }
 
-std::vector<Index> WindowMaker::faces_inside(const ShellMesh& shell, const Ball& ball,
-                                             const Chart& chart) {
+std::vector<Index> WindowMaker::faces_inside(const ShellMesh& shell, const ShellStars& stars,
+                                             const Ball& ball, const Chart& chart) {
   for (std::size_t i = 0; i < chart.triangles.size(); ++i)
     own_[chart.triangles[i]] = static_cast<Index>(i);
+  std::vector<Index> faces;
+  for (std::size_t i = 0; i < chart.triangles.size(); ++i)
+    if (ball.inside[i])
+      stars.for_each_vertex_in(chart.triangles[i], [&](Index v) {
+        stars.for_each_face_at(v, [&](Index f) { faces.push_back(f); });
+      });
+  sort_unique(faces);
   const auto is_inside = [&](Index v) {
     const Index t = own_[shell.places[v].triangle];
     return t != none && ball.inside[t];
   };
-  std::vector<Index> faces;
-  for (Index f = 0; f < static_cast<Index>(shell.faces.size()); ++f) {
+  std::erase_if(faces, [&](Index f) {
     const Face& face = shell.faces[f];
-    if (face[0] == none || face[3] == none) continue;
-    if (std::all_of(face.begin(), face.end(), is_inside)) faces.push_back(f);
-  }
+    return face[0] == none || face[3] == none || !std::all_of(face.begin(), face.end(), is_inside);
+  });
   drop_bad_rim(shell, chart, faces);
   return faces;
 }
@@ -138,31 +144,26 @@ void WindowMaker::drop_bad_rim(const ShellMesh& shell, const Chart& chart,
   }
 }
 
-/// Around free vertices of the rim.
-void WindowMaker::count_outside(const ShellMesh& shell, std::span<const Index> vertex,
-                                QuadMesh& quads) const {
+/// Faces around free vertices of the rim.
+void WindowMaker::count_outside(const ShellMesh& shell, const ShellStars& stars,
+                                Window& window) const {
+  QuadMesh& quads = window.quads;
   quads.outside.assign(quads.fixed, 0);
-  const auto rim = vertex.first(quads.fixed);
-  const auto count = [&](Index v, Index by) {
-    const auto at = std::lower_bound(rim.begin(), rim.end(), v);
-    if (at != rim.end() && *at == v) quads.outside[at - rim.begin()] += by;
-  };
-  for (const Face& face : shell.faces)
-    for (const Index v : face)
-      if (v != none && own_[shell.places[v].triangle] != none) count(v, 1);
+  for (Index v = 0; v < quads.fixed; ++v)
+    stars.for_each_face_at(window.vertex[v],
+                           [&](Index f) { quads.outside[v] += shell.faces[f][0] != none; });
   for (const Face& face : quads.faces)
     for (const Index v : face)
       if (v < quads.fixed) --quads.outside[v];
   for (Index v = 0; v < quads.fixed; ++v)
-    if (shell.pinned[vertex[v]]) quads.outside[v] = none;
+    if (shell.pinned[window.vertex[v]]) quads.outside[v] = none;
 }
 
 void WindowMaker::lay_out(const ShellMesh& shell, Window& window) {
   std::vector<Index> all;
   for (const Index f : window.faces)
     all.insert(all.end(), shell.faces[f].begin(), shell.faces[f].end());
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  sort_unique(all);
   const std::vector<Index> border = border_origins(shell, window.faces);
   const auto middle = std::stable_partition(all.begin(), all.end(), [&](Index v) {
     return shell.pinned[v] || std::binary_search(border.begin(), border.end(), v);
@@ -189,17 +190,19 @@ void WindowMaker::lay_out(const ShellMesh& shell, Window& window) {
     }
   }
   quads.region.assign(quads.faces.size(), 0);
-  count_outside(shell, all, quads);
-  std::sort(quads.walls.begin(), quads.walls.end());
-  quads.walls.erase(std::unique(quads.walls.begin(), quads.walls.end()), quads.walls.end());
+  sort_unique(quads.walls);
   window.vertex = std::move(all);
 }
 
-std::optional<Window> WindowMaker::open(const ShellMesh& shell, const Ball& ball) {
+std::optional<Window> WindowMaker::open(const ShellMesh& shell, const ShellStars& stars,
+                                        const Ball& ball) {
   Window window;
   if (!map(ball.triangles, window.chart)) return std::nullopt;
-  window.faces = faces_inside(shell, ball, window.chart);
-  if (!window.faces.empty()) lay_out(shell, window);
+  window.faces = faces_inside(shell, stars, ball, window.chart);
+  if (!window.faces.empty()) {
+    lay_out(shell, window);
+    count_outside(shell, stars, window);
+  }
   for (const Index t : window.chart.triangles) own_[t] = none;
   if (window.faces.empty()) return std::nullopt;
   window.fields = chart_fields(mesh_, cross_, size_, window.chart);

@@ -10,6 +10,7 @@
 #include "mesh/quad_mesh.h"
 #include "shell/ball.h"
 #include "shell/shell_mesh.h"
+#include "shell/stars.h"
 #include "surface/charts/charts.h"
 #include "surface/charts/part.h"
 #include "surface/cross_field.h"
@@ -31,14 +32,16 @@ class WindowMaker {
               std::span<const double> size);
 
   /// The window of the quads inside the ball; none where it has no good map or holds no quads.
-  std::optional<Window> open(const ShellMesh& shell, const Ball& ball);
+  /// `stars`: of the shell.
+  std::optional<Window> open(const ShellMesh& shell, const ShellStars& stars, const Ball& ball);
 
  private:
   bool map(std::vector<Index> triangles, Chart& chart);
-  std::vector<Index> faces_inside(const ShellMesh& shell, const Ball& ball, const Chart& chart);
+  std::vector<Index> faces_inside(const ShellMesh& shell, const ShellStars& stars, const Ball& ball,
+                                  const Chart& chart);
   void drop_bad_rim(const ShellMesh& shell, const Chart& chart, std::vector<Index>& faces) const;
   Vec2 in_plane(const ShellMesh& shell, const Chart& chart, Index v) const;
-  void count_outside(const ShellMesh& shell, std::span<const Index> vertex, QuadMesh& quads) const;
+  void count_outside(const ShellMesh& shell, const ShellStars& stars, Window& window) const;
   void lay_out(const ShellMesh& shell, Window& window);
 
   const SurfaceMesh& mesh_;

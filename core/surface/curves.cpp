@@ -20,6 +20,13 @@ class Tracer {
         for (const Index edge : at_.row(v))
           if (!done_[edge]) walk(v, edge);
       }
+    curves_.at_face = csr_from<Index>(features_.face_count, [&](auto&& emit) {
+      for (Index c = 0; c < curves_.count(); ++c) {
+        const auto faces = curves_.faces.row(c);
+        for (std::size_t k = 0; k < faces.size(); ++k)
+          if (k == 0 || faces[k] != faces[k - 1]) emit(faces[k], c);
+      }
+    });
     return std::move(curves_);
   }
 

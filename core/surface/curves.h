@@ -16,6 +16,7 @@ struct SurfaceCurves {
   Csr<Index> vertices;        // #C  along the curve; a closed one ends with its first vertex
   Csr<Index> edges;           // #C  of SurfaceFeatures::edges, one fewer than vertices
   Csr<Index> faces;           // #C  on each side, ascending; a face on both sides is there twice
+  Csr<Index> at_face;         // #F  curves around each face and inside, ascending
   std::vector<char> is_loop;  // #C  closed, without a corner
 
   Index count() const { return vertices.rows(); }

@@ -107,7 +107,8 @@ TEST_CASE("a window counts the quads around it and keeps its rim when it is rewo
   const SurfaceCrossField cross = solve_surface_cross(surface, feature);
   BallFinder balls(surface, feature);
   WindowMaker windows(surface, cross, size);
-  const auto window = windows.open(outcome.mesh, balls.ball(0, 0.8, 0.15));
+  const ShellStars stars(outcome.mesh, surface.triangle_count());
+  const auto window = windows.open(outcome.mesh, stars, balls.ball(0, 0.8, 0.15));
   REQUIRE(window.has_value());
   std::vector<Index> valence(outcome.mesh.points.size(), 0), inside(window->vertex.size(), 0);
   for (const Face& face : outcome.mesh.faces)

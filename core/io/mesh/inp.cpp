@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/sort_unique.h"
 #include "io/mesh/edge_sides.h"
 #include "io/mesh/labels.h"
 #include "io/mesh/msh_model.h"
@@ -126,8 +127,7 @@ class InpWriter {
   }
 
   void node_set(const std::string& label, std::vector<Index>& nodes) {
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    sort_unique(nodes);
     out_ += "*NSET, NSET=" + label;
     constexpr std::size_t on_a_line = 16;
     for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -1,5 +1,6 @@
 // See patch.h.
 #include "shell/shape/patch.h"
+#include "base/sort_unique.h"
 
 #include <algorithm>
 
@@ -16,9 +17,7 @@ void add_walls(const ShellMesh& mesh, ShapePatch& patch) {
       if (std::binary_search(mesh.edges.begin(), mesh.edges.end(), whole))
         patch.mesh.edges.push_back(ends);
     }
-  std::sort(patch.mesh.edges.begin(), patch.mesh.edges.end());
-  patch.mesh.edges.erase(std::unique(patch.mesh.edges.begin(), patch.mesh.edges.end()),
-                         patch.mesh.edges.end());
+  sort_unique(patch.mesh.edges);
 }
 
 }  // namespace
@@ -44,8 +43,7 @@ std::vector<Index> faces_around(const ShellMesh& mesh, const Csr<Index>& stars, 
     for (std::size_t i = 0; i < size; ++i)
       for (const Index v : mesh.faces[all[i]])
         if (v != none) all.insert(all.end(), stars.row(v).begin(), stars.row(v).end());
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
+    sort_unique(all);
   }
   return all;
 }
@@ -56,8 +54,7 @@ ShapePatch take_patch(const ShellMesh& mesh, const std::vector<VertexRole>& role
   patch.faces = std::move(faces);
   for (const Index f : patch.faces)
     for (int k = 0; k < corner_count(mesh.faces[f]); ++k) patch.vertex.push_back(mesh.faces[f][k]);
-  std::sort(patch.vertex.begin(), patch.vertex.end());
-  patch.vertex.erase(std::unique(patch.vertex.begin(), patch.vertex.end()), patch.vertex.end());
+  sort_unique(patch.vertex);
   for (const Index v : patch.vertex) {
     patch.mesh.points.push_back(mesh.points[v]);
     patch.mesh.places.push_back(mesh.places[v]);
