@@ -5,15 +5,17 @@ import { test } from 'node:test';
 import { createLpquad } from '../../dist/node.js';
 import { light } from '../../web/draw/palette.js';
 import { sourceOf, toCommand, toJavaScript } from '../../web/space/model/code.js';
-import { fromFragment, presetWork, toFragment } from '../../web/space/model/link.js';
+import { fromFragment, presetWork, problemOf, toFragment } from '../../web/space/model/link.js';
 import { areaOf, boxOf, inOrder, sizeFor } from '../../web/space/model/work.js';
 import { presets, surfaceOf } from '../../web/space/presets/presets.js';
 import {
-  cellColours, crossLines, edgesOfQuads, gather, irregularVertices, meshOfCells, parts, qualityColours, trianglesOfQuads,
+  cellColours, crossLines, edgesOfQuads, gather, irregularOnFeatures, irregularVertices, meshOfCells, parts, qualityColours, trianglesOfQuads,
 } from '../../web/space/view/geometry.js';
 import { layOut, quadsInPlanes } from '../../web/space/view/layout.js';
 import { nextChart, pick } from '../../web/space/view/planes.js';
-import { portionAfter, shareOf, stageInWords } from '../../web/space/run/runner.js';
+import { portionAfter, shareOf } from '../../web/space/run/runner.js';
+import { messageInWords, stageInWords } from '../../web/space/run/words.js';
+import { bordersOf } from '../../web/space/view/borders.js';
 
 const near = (a, b, tolerance = 1e-12) => assert.ok(Math.abs(a - b) <= tolerance, `${a} against ${b}`);
 
@@ -150,6 +152,30 @@ test('a chart is found where it lies, and none between', () => {
   assert.equal(pick(uv, layout, -1, -1), -1);
 });
 
+test('a chart whose map is a billion times too large is drawn as large as it is in space, and found there', () => {
+  const square = (x) => [x, 0, 0, x + 2, 0, 0, x + 2, 2, 0, x, 2, 0];
+  const surface = { points: Float64Array.from([...square(0), ...square(3), ...square(6)]),
+    triangles: Uint32Array.from([0, 4, 8].flatMap((v) => [v, v + 1, v + 2, v, v + 2, v + 3])) };
+  const wild = uv.map((x, i) => (i >= 12 && i < 24 ? 1e9 * x : x));
+  const layout = layOut({ charts, uv: wild, cuts: new Uint32Array() }, 1.5, surface);
+  assert.ok(Math.max(layout.width, layout.height) < 3 * 2 * 1.2);
+  for (const { chart, left, top, scale, shift, triangles } of layout.islands) {
+    near(scale * (chart === 1 ? 1e10 : 1), 2, 1e-9);
+    near(shift[0] + scale * wild[6 * triangles[0]], left, 1e-6);
+    assert.equal(pick(wild, layout, left + 0.5, top + 1.2), chart);
+  }
+  // Where a map has no area its scale is as good as any.
+  assert.ok(layOut({ charts, uv: new Float64Array(36), cuts: new Uint32Array() }, 1.5, surface).islands.every(({ scale }) => scale === 1));
+});
+
+test('the border of a chart has its outer sides, and both sides of a cut in it', () => {
+  const triangles = Uint32Array.of(0, 1, 2, 0, 2, 3);
+  const of = (flat, of = Int32Array.of(0, 0)) => bordersOf({ charts: of, uv: Float64Array.from(flat), cuts: new Uint32Array() }, triangles, 0);
+  assert.deepEqual(of([0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1]).sort(), [0, 1, 4, 5]);
+  assert.deepEqual(of([0, 0, 1, 0, 1, 1, 5, 5, 6, 6, 5, 6]).sort(), [0, 1, 2, 3, 4, 5]);
+  assert.deepEqual(of([0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1], Int32Array.of(0, 1)).sort(), [0, 1, 2]);
+});
+
 test('arrow keys go round all charts either way, from none too', () => {
   for (const by of [1, -1]) {
     const seen = [];
@@ -195,11 +221,41 @@ test('the run is told in words and as a share', () => {
   assert.equal(portionAfter(1, 90), 1);
 });
 
+test('the run says how it ended: with how many quads, or why without', () => {
+  const run = { phase: 'done', state: { stage: 'done' }, result: { report: { quads: 2998 } }, error: null };
+  assert.equal(stageInWords(run), 'done: 2,998 quads');
+  assert.equal(stageInWords({ ...run, phase: 'failed', error: { code: 'TOO_MANY_ELEMENTS' } }), 'failed: this mesh would have too many elements');
+});
+
+test('messages of the mesher have the names of the page and numbers that people write', () => {
+  const said = messageInWords('About 5.53267e+10 elements would be needed, more than the limit of 2000000. Use a larger size or raise maxElements.');
+  assert.equal(said, 'About 55 billion elements would be needed, more than the limit of 2,000,000. Use a larger size or raise “Most elements”.');
+  for (const same of ['The point (0.123456, 12345.678, 3) is not on it.', 'At 1234 of part-20000.stl.', 'size must be above 0.'])
+    assert.equal(messageInWords(same), same);
+  assert.equal(messageInWords('About 1.2e+300 elements.'), 'About far too many elements.');
+});
+
+test('a link to a surface that there is not says which there are', () => {
+  assert.match(problemOf('#preset=nonsense&size=1'), /no surface “nonsense”.*pressed panel, gear/);
+  for (const good of ['', '#preset=gear', '#size=0.2', ...presets.map(({ id }) => `#preset=${id}`)]) assert.equal(problemOf(good), '');
+});
+
+test('irregular vertices on sharp edges are counted apart, those on borders not at all', () => {
+  // A cube of six quads, all edges sharp: eight corners of three.
+  const quads = Uint32Array.of(0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5);
+  const edges = Uint32Array.from([0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7]);
+  const valence = new Int32Array(8).fill(3), triangles = new Uint32Array();
+  assert.equal(irregularOnFeatures({ quads, triangles, edges, valence }), 8);
+  assert.equal(irregularOnFeatures({ quads: quads.subarray(0, 20), triangles, edges, valence }), 4);  // an open box
+  const lid = Uint32Array.of(1, 3, 7, 1, 7, 5);  // the same closed by two triangles
+  assert.equal(irregularOnFeatures({ quads: quads.subarray(0, 20), triangles: lid, edges, valence }), 8);
+});
+
 test('code names the file, and options that were chosen', () => {
   const known = [{ name: 'size', default: 0 }, { name: 'featureAngle', default: 40 }, { name: 'keepGroups', default: true }];
   const work = { ...presetWork('gear'), options: { size: 0.25, featureAngle: 40, keepGroups: false } };
-  assert.equal(toCommand(work, known), "lpquad mesh 'gear.obj' -o gear-quads.msh --size 0.25 --no-keep-groups\n");
-  assert.match(toJavaScript(work, known), /readFileSync\("gear\.obj"\)[^]*meshSurface\(surface, \{ size: 0\.25, keepGroups: false \}\)/);
+  assert.equal(toCommand(work, known), "lpquad mesh 'gear-surface.obj' -o gear-quads.msh --size 0.25 --no-keep-groups\n");
+  assert.match(toJavaScript(work, known), /readFileSync\("gear-surface\.obj"\)[^]*meshSurface\(surface, \{ size: 0\.25, keepGroups: false \}\)/);
   const file = { ...work, name: "it's part.STL", preset: undefined };
   assert.equal(sourceOf(file), "it's part.STL");
   assert.match(toCommand(file, known), /^lpquad mesh 'it'\\''s part\.STL' -o it-s-part-quads\.msh /);

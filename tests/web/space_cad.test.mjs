@@ -19,7 +19,7 @@ after(() => playground.close());
 const patience = 180000;
 const boxes = Buffer.from(stepBoxes([{ name: 'plate', at: [0, 0, 0], size: [4, 2, 1] }, { name: 'block', at: [10, 0, 0], size: [1, 1, 1] }]));
 const step = (name, buffer = boxes) => ({ name, mimeType: 'model/step', buffer });
-const over = (page) => page.locator('.stage-name', { hasText: /^done$/ }).waitFor({ timeout: patience });
+const over = (page) => page.locator('.stage-name', { hasText: /^done/ }).waitFor({ timeout: patience });
 const ofThePackage = (url) => url.includes('/occt-import-js/');
 
 async function openSpace(how = {}) {

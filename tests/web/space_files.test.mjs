@@ -63,11 +63,28 @@ test('the link says what is on the screen before the address does', async () => 
   assert.match(link, /space\.html#preset=saddle&size=0\.2&layers=quads$/);
 });
 
+test('the triangles of the surface have a name of their own, which the code reads', async () => {
+  const { name, text } = await saved('[data-action="file.surface"]');
+  assert.equal(name, 'saddle-surface.obj');
+  assert.doesNotMatch(text, /^f \S+ \S+ \S+ \S+$/m);
+  assert.notEqual(name, (await saved('[data-format="obj"]')).name);
+  assert.match(await page.locator('.code').textContent(), /readFileSync\("saddle-surface\.obj"\)/);
+});
+
 test('code that the browser does not copy is selected', async () => {
   await page.evaluate(() => { navigator.clipboard.writeText = () => Promise.reject(new Error('no')); });
   await page.click('[data-action="file.code"]');
   await page.locator('.notice', { hasText: 'selected' }).waitFor();
   const [chosen, shown] = await page.evaluate(() => [getSelection().toString(), document.querySelector('.code').textContent]);
   assert.equal(chosen.trim(), shown.trim());
+  assert.deepEqual(page.errors, []);
+});
+
+test('a surface from a file has no link, and the page says why', async () => {
+  assert.ok(await page.getByText('No link holds a file').isHidden());
+  await page.locator('input[type=file]').setInputFiles({ name: 'two.obj', mimeType: 'model/obj', buffer: Buffer.from('v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n') });
+  await page.getByText('No link holds a file: pass two.obj on').waitFor();
+  assert.equal(await page.getAttribute('[data-action="page.share"]', 'aria-disabled'), 'true');
+  await finished(page);
   assert.deepEqual(page.errors, []);
 });

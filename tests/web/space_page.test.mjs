@@ -10,7 +10,7 @@ before(async () => { playground = await startPlayground(); });
 after(() => playground.close());
 
 const patience = 180000;
-const over = (page) => page.locator('.stage-name', { hasText: /^done$/ }).waitFor({ timeout: patience });
+const over = (page) => page.locator('.stage-name', { hasText: /^done/ }).waitFor({ timeout: patience });
 const run = (page) => page.evaluate(() => {
   const { phase, result, frame } = globalThis.playground.runner.run;
   return { phase, hash: result?.report.hash, quads: result?.report.quads, charts: frame.charts ? Math.max(...frame.charts.charts) + 1 : 0 };
@@ -94,6 +94,23 @@ test('the picture changes when the surface is turned by key', async () => {
   await page.context().close();
 });
 
+test('all of the surface stays in view when the view becomes high and narrow, unless it was turned', async () => {
+  const page = await openSpace('#preset=saddle&size=0.3', { width: 1440, height: 500 });
+  const far = () => page.evaluate(() => new Promise((done) => {
+    const { camera, controls } = globalThis.playground.viewer;
+    requestAnimationFrame(() => requestAnimationFrame(() => done(camera.position.distanceTo(controls.target))));
+  }));
+  const first = await far();
+  await page.setViewportSize({ width: 1440, height: 1400 });
+  await page.waitForFunction((old) => { const { camera, controls } = globalThis.playground.viewer; return camera.position.distanceTo(controls.target) > old; }, first);
+  await page.locator('#space-view canvas').focus();
+  await page.keyboard.press('ArrowLeft');
+  const turned = await far();
+  await page.setViewportSize({ width: 1440, height: 1600 });
+  assert.ok(Math.abs(await far() - turned) < 1e-9);
+  await page.context().close();
+});
+
 test('a chart that is pointed at lights up in both views', async () => {
   const page = await openSpace('#preset=bored&size=0.2');
   await page.keyboard.press('4');
@@ -110,6 +127,97 @@ test('a chart that is pointed at lights up in both views', async () => {
     found = await page.evaluate(() => globalThis.playground.pointed.chart);
   }
   assert.ok(found >= 0);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('a chart lights up in both views with the layers that a finished mesh has', async () => {
+  const page = await openSpace('#preset=bored&size=0.2');
+  assert.ok(!await page.evaluate(() => globalThis.playground.layers().has('charts')));
+  const pictures = () => page.evaluate(() => new Promise((done) => {
+    const canvases = [globalThis.playground.viewer.canvas, document.querySelector('#plane-view canvas')];
+    requestAnimationFrame(() => requestAnimationFrame(() => done(canvases.map((canvas) => canvas.toDataURL()))));
+  }));
+  const before = await pictures();
+  const { x, y, width, height } = await page.locator('#space-view canvas').boundingBox();
+  await page.mouse.move(x + width / 2, y + height * 0.7);
+  const inSpace = await page.evaluate(() => globalThis.playground.pointed.chart);
+  assert.ok(inSpace >= 0, 'no chart is found under the quads');
+  const lit = await pictures();
+  assert.ok(lit.every((picture, i) => picture !== before[i]), 'a view shows nothing');
+  await page.locator('#plane-view canvas').focus();
+  await page.keyboard.press('ArrowRight');
+  const next = await pictures();
+  assert.ok(next.every((picture, i) => picture !== lit[i]), 'a view does not follow the key');
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('a run that fails says why over the view until another is begun, and is undone there', async () => {
+  const page = await openSpace();
+  const { hash } = await run(page);
+  const bar = page.locator('#space-view .error-bar');
+  const size = (value) => page.evaluate((size) => globalThis.playground.store.change('Size', { options: { size } }), value);
+  await size(0.00001);
+  await bar.getByText('“Most elements”').waitFor({ timeout: patience });
+  assert.doesNotMatch(await bar.textContent(), /maxElements|e\+\d/);
+  assert.match(await page.locator('.stage-name').textContent(), /^failed: [a-z ]+$/);
+  assert.deepEqual(await violations(page), []);
+  await size(0.2);
+  await bar.waitFor({ state: 'hidden' });
+  await over(page);
+  assert.ok(await bar.isHidden());
+  assert.ok(await page.locator('.notice').isHidden());
+  await size(0.00001);
+  await bar.getByRole('button', { name: 'Undo' }).click();
+  await over(page);
+  await size('nonsense');
+  await bar.getByRole('button', { name: 'Usual options' }).click();
+  await bar.waitFor({ state: 'hidden' });
+  await over(page);
+  assert.notEqual((await run(page)).hash, hash);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('a run goes to the end without pictures on the way, and shows all of them then', async () => {
+  const page = await openSpace('#preset=saddle&size=0.25', { still: false });
+  await page.evaluate(() => {
+    const { runner, store } = globalThis.playground;
+    globalThis.pictures = 0;
+    let frame = {};
+    runner.subscribe((run) => {
+      if (['cells', 'quads'].some((part) => run.frame[part] && run.frame[part] !== frame[part])) ++globalThis.pictures;
+      frame = run.frame;
+    });
+    store.change('Size', { options: { size: 0.15 } });
+  });
+  await page.waitForFunction(() => globalThis.playground.runner.run.phase === 'running');
+  await page.keyboard.press('e');
+  await over(page);
+  const { pictures, layers, hash } = await page.evaluate(() => ({ pictures: globalThis.pictures, layers: Object.keys(globalThis.playground.runner.run.frame),
+    hash: globalThis.playground.runner.run.result.report.hash }));
+  assert.equal(pictures, 1);
+  for (const layer of ['features', 'crosses', 'charts', 'quads']) assert.ok(layers.includes(layer), layer);
+  await page.evaluate(() => globalThis.playground.runner.start(globalThis.playground.store.project));
+  assert.equal((await run(page)).hash, hash);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('a run on the way to the end can be held, and is looked at there', async () => {
+  const page = await openSpace();
+  await page.evaluate(() => {
+    const { runner, store } = globalThis.playground;
+    runner.subscribe(({ state, paused }) => { if (state?.stage === 'seams' && !paused && !globalThis.held) runner.pause(globalThis.held = true); });
+    store.change('Size', { options: { size: 0.1 } });
+    runner.end();
+  });
+  await page.locator('.stage-name', { hasText: /\(paused\)/ }).waitFor({ timeout: patience });
+  await page.keyboard.press('.');
+  await page.waitForFunction(() => { const { frame } = globalThis.playground.runner.run; return frame.quads && frame.charts && frame.features; });
+  await page.keyboard.press('e');
+  await over(page);
   assert.deepEqual(page.errors, []);
   await page.context().close();
 });
@@ -296,7 +404,7 @@ test('without WebGL the page says so, and meshes, shows charts and saves all the
 for (const [width, dark] of [[360, true], [1440, false]])
   test(`nothing overflows at ${width} px, and axe finds nothing`, async () => {
     const page = await openSpace('#preset=saddle&size=0.25', { width, height: 800, dark });
-    for (const tab of ['Surface', 'Mesh', 'Layers', 'Figures', 'Files']) {
+    for (const tab of ['Surface', 'Mesh', 'Layers', 'Figures', 'Files', 'Learn']) {
       await page.getByRole('tab', { name: tab }).click();
       const wide = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
       assert.ok(!wide, `${tab} overflows`);

@@ -7,8 +7,11 @@ import { isCadName } from './work.js';
 /** @param {Work} work */
 export const fileNameOf = ({ name }) => name.toLowerCase().replace(/\.[a-z0-9]+$/, '').replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'surface';
 
+/** The download of the surface, beside the quads in .obj. @param {Work} work */
+export const surfaceFileOf = (work) => `${fileNameOf(work)}-surface.obj`;
+
 /** What the surface is called as a file: its own name, or that of the download. @param {Work} work */
-export const sourceOf = (work) => (work.preset === undefined ? work.name : `${fileNameOf(work)}.obj`);
+export const sourceOf = (work) => (work.preset === undefined ? work.name : surfaceFileOf(work));
 
 /** @param {Work} work  @param {OptionInfo[]} known */
 export function toJavaScript(work, known) {
@@ -34,7 +37,7 @@ export function toCommand(work, known) {
   });
   const quoted = `'${sourceOf(work).replaceAll("'", "'\\''")}'`;
   // Two commands: the first one's triangles do not depend on the size of the quads, as on the page.
-  const triangles = `${fileNameOf(work)}.obj`;
+  const triangles = surfaceFileOf(work);
   const [before, input] = isCadName(work.name) ? [`npx lpquad convert ${quoted} -o ${triangles}\n`, triangles] : ['', quoted];
   return before + ['lpquad mesh', input, '-o', `${fileNameOf(work)}-quads.msh`, ...flags].join(' ') + '\n';
 }

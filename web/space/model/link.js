@@ -26,6 +26,13 @@ export function fromFragment(fragment) {
     layers: shown === null ? 'auto' : inOrder(/** @type {SpaceLayer[]} */ (shown.filter((name) => known.has(name)))) };
 }
 
+/** Why an address opens something else than it says; '': it does not. @param {string} fragment */
+export function problemOf(fragment) {
+  const id = new URLSearchParams(fragment.slice(1)).get('preset');
+  if (id === null || presets.some((preset) => preset.id === id)) return '';
+  return `This link could not be opened: the page has no surface “${id.slice(0, 40)}”. It has ${presets.map(({ title }) => title.toLowerCase()).join(', ')}.`;
+}
+
 /** @param {string} id  @returns {Work} */
 export function presetWork(id) {
   const found = presets.find((preset) => preset.id === id) ?? presets[0];

@@ -2,12 +2,12 @@
 /** @import { SpaceApp } from '../types' */
 /** @import { Surface } from 'lpquad' */
 import { droppedFiles } from '../../files/dropped.js';
-import { handOver, handedFile } from '../../files/hand_over.js';
+import { handOver } from '../../files/hand_over.js';
 import { h } from '../../panels/dom.js';
 import { keepCadReader, readCadFile } from '../cad/read.js';
 import { isCadName, workOf } from './work.js';
 
-const ofThePlane = /\.(json|geojson|svg|poly|dxf)$/i;
+const ofThePlane = /\.(json|geojson|svg|poly|dxf)$/i, ofSpace = /\.(stl|obj|ply|off|msh)$/i;
 const mostBytes = 256 * 2 ** 20, mostTriangles = 400_000;
 
 /** @param {SpaceApp} app  @param {File} file  @param {AbortSignal} signal  @returns {Promise<Surface>} */
@@ -26,8 +26,29 @@ async function read({ runner, notify }, file, signal) {
   }
 }
 
-/** @param {SpaceApp} app */
-export function installOpening(app) {
+const isOf = (/** @type {RegExp} */ endings) => (/** @type {string} */ name) => endings.test(name);
+
+/** What is wrong with a file in words that name all that the page reads. @param {string} name  @param {unknown} error */
+const problemWith = (name, error) => `${name} could not be opened: ${[isCadName, isOf(ofSpace), isOf(ofThePlane)].some((known) => known(name)) ? /** @type {Error} */ (error).message
+  : 'the page knows files by their endings, and takes .stl, .obj, .ply, .off, .msh, .step, .iges and .brep; drawings go to the page Plane.'}`;
+
+/** Shows that files may be dropped, and takes them. @param {HTMLElement} mark  @param {(files: File[]) => Promise<void>} open
+ * @param {() => void} fail  where they cannot be read */
+function listenForDrops(mark, open, fail) {
+  const hasFiles = (/** @type {DragEvent} */ { dataTransfer }) => dataTransfer?.types.includes('Files') ?? false;
+  window.addEventListener('dragover', (event) => {
+    event.preventDefault();  // whatever it is: the page is not left
+    mark.classList.toggle('dropping', hasFiles(event));
+  });
+  for (const name of /** @type {const} */ (['dragleave', 'dragend', 'drop'])) window.addEventListener(name, () => mark.classList.remove('dropping'));
+  window.addEventListener('drop', (event) => {
+    event.preventDefault();
+    if (hasFiles(event)) void droppedFiles(event.dataTransfer).then(open, fail);
+  });
+}
+
+/** @param {SpaceApp} app  @param {HTMLElement} stage  @returns {(files: File[]) => Promise<void>} opens files */
+export function installOpening(app, stage) {
   const { store, actions, announce, notify } = app;
   let latest = new AbortController();
   /** @param {File[]} files */
@@ -45,9 +66,9 @@ export function installOpening(app) {
       const count = surface.triangles.length / 3;
       if (count > mostTriangles) return notify(`${file.name} has ${count.toLocaleString('en')} triangles; the command line meshes it.`);
       store.change(`Open ${file.name}`, workOf(file.name, surface));
-      announce(`${file.name} opened: ${count} triangles`);
+      announce(`${file.name} opened: ${count.toLocaleString('en')} triangles`);
     } catch (error) {
-      if (!signal.aborted) notify(`${file.name} could not be opened: ${/** @type {Error} */ (error).message}`);
+      if (!signal.aborted) notify(problemWith(file.name, error));
     }
   }
   const input = h('input', { type: 'file', hidden: true, 'aria-label': 'Surface to open', onchange: () => {
@@ -56,10 +77,6 @@ export function installOpening(app) {
   } });
   document.body.append(input);
   actions.add({ id: 'file.open', label: 'Open a surface', icon: 'open', keys: ['Ctrl+O'], run: () => input.click() });
-  window.addEventListener('dragover', (event) => event.preventDefault());
-  window.addEventListener('drop', (event) => {
-    event.preventDefault();
-    if (event.dataTransfer) void droppedFiles(event.dataTransfer).then(open, () => notify('What was dropped could not be read.'));
-  });
-  void handedFile().then((file) => file && open([file]));
+  listenForDrops(stage, open, () => notify('What was dropped could not be read.'));
+  return open;
 }

@@ -3,14 +3,19 @@
 import { createBars, createHistogram } from '../../figures/bars.js';
 import { createNumbers, kinds } from '../../figures/numbers.js';
 import { h, setText } from '../../panels/dom.js';
-import { stageInWords } from '../run/runner.js';
+import { stageInWords } from '../run/words.js';
+
+/** The layer marks only those off sharp edges; these are all. @param {import('../../figures/numbers.js').Kind} kind */
+const inSpace = (kind) => (kind.key !== 'irregular' ? kind : { ...kind, name: 'Irregular, on sharp edges too',
+  help: 'Vertices inside where other than four quads meet. Those on sharp edges are among them: a corner has its own number. '
+    + 'The layer Irregular vertices marks the others.' });
 
 const shown = ['etaMean', 'etaMin', 'etaP5', 'fourValentPercent', 'quads', 'triangles', 'vertices', 'irregular', 'singularities', 'p10', 'p50', 'p90'];
 
 /** @param {SpaceApp} app */
 export function installFiguresTab({ runner, tabs }) {
   const about = h('h2', { className: 'figures-of' });
-  const numbers = createNumbers(kinds.filter(({ key }) => shown.includes(key)));
+  const numbers = createNumbers(kinds.filter(({ key }) => shown.includes(key)).map(inSpace));
   const eta = createHistogram({ name: 'Quads by squareness η', heads: ['η', 'Quads'],
     help: 'How many quads there are in each twentieth from 0 to 1.' });
   const valence = createHistogram({ name: 'Vertices by number of quads', heads: ['Quads at a vertex', 'Vertices'],

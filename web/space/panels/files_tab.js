@@ -1,5 +1,5 @@
 // The Files tab: the mesh in every format that has room for a third coordinate, the surface, code, and a picture.
-/** @import { SpaceApp } from '../types' */
+/** @import { SpaceApp, Work } from '../types' */
 /** @import { OptionInfo } from 'lpquad' */
 import { surfaceAsObj } from 'lpquad/cad';
 import { createCode } from '../../files/code/panel.js';
@@ -7,8 +7,8 @@ import { meshOf } from '../../files/current.js';
 import { copy, download } from '../../files/download.js';
 import { createExport } from '../../files/export.js';
 import { installTab } from '../../files/tab.js';
-import { h } from '../../panels/dom.js';
-import { fileNameOf, toCommand, toJavaScript } from '../model/code.js';
+import { h, setText } from '../../panels/dom.js';
+import { fileNameOf, surfaceFileOf, toCommand, toJavaScript } from '../model/code.js';
 import { toFragment } from '../model/link.js';
 import { haveSameMesh } from '../model/work.js';
 
@@ -17,7 +17,7 @@ export function installFilesTab(app) {
   const { store } = app;
   addActions(app);
   const exporting = { ...app, current: () => currentMesh(app), name: () => fileNameOf(store.project) };
-  installTab(app, [section(app, 'Surface', 'file.surface', 'page.share'), section(app, 'Picture', 'file.picture')],
+  installTab(app, [surfaceSection(app), section(app, 'Picture', 'file.picture')],
     ({ surfaceMeshFormats, surfaceOptions, writeOptions }) => ({
       // The elements of a surface are shells: there is nothing to choose.
       above: [createExport(exporting, surfaceMeshFormats, writeOptions.filter(({ name }) => name !== 'inpElement'))],
@@ -34,9 +34,24 @@ const section = ({ actions }, title, ...ids) => ({ element: h('section', null, h
   h('div', { className: 'buttons' }, ...ids.map((id) => actions.button(id, { labelled: true })))) });
 
 /** @param {SpaceApp} app */
+function surfaceSection(app) {
+  const { element } = section(app, 'Surface', 'file.surface', 'page.share');
+  const reason = h('p', { className: 'reason' });
+  element.append(reason);
+  const refresh = () => {
+    setText(reason, noLink(app.store.project));
+    reason.hidden = reason.textContent === '';
+  };
+  refresh();
+  return { element, refresh };
+}
+
+/** Why there is no link; '': there is one. @param {Work} work */
+const noLink = ({ name, preset }) => (preset === undefined ? `No link holds a file: pass ${name} on with the code below.` : '');
+
+/** @param {SpaceApp} app */
 function addActions({ actions, announce, notify, store, viewer }) {
-  const save = (/** @type {string} */ ending, /** @type {BlobPart} */ content, /** @type {string} */ type) => {
-    const name = `${fileNameOf(store.project)}.${ending}`;
+  const save = (/** @type {string} */ name, /** @type {BlobPart} */ content, /** @type {string} */ type) => {
     download(name, content, type);
     announce(`Saved as ${name}`);
   };
@@ -45,11 +60,11 @@ function addActions({ actions, announce, notify, store, viewer }) {
     notify(copied ? 'The link is copied.' : 'This browser does not let the page copy. The link is in the address bar.');
   };
   actions.add(
-    { id: 'file.surface', label: 'Surface as OBJ', icon: 'download', run: () => save('obj', surfaceAsObj(store.project.surface), 'text/plain') },
-    { id: 'page.share', label: 'Copy the link', icon: 'share', keys: ['Shift+S'], enabled: () => store.project.preset !== undefined,
-      run: () => void copyLink() },
+    { id: 'file.surface', label: 'Surface as OBJ', icon: 'download', run: () => save(surfaceFileOf(store.project), surfaceAsObj(store.project.surface), 'text/plain') },
+    { id: 'page.share', label: 'Copy the link', icon: 'share', keys: ['Shift+S'], enabled: () => noLink(store.project) === '',
+      hint: () => noLink(store.project), run: () => void copyLink() },
     { id: 'file.picture', label: 'Picture as PNG', icon: 'picture', enabled: () => viewer.renderer !== null,
-      run: () => viewer.canvas.toBlob((blob) => { if (blob) save('png', blob, 'image/png'); }) },
+      run: () => viewer.canvas.toBlob((blob) => { if (blob) save(`${fileNameOf(store.project)}.png`, blob, 'image/png'); }) },
   );
 }
 

@@ -3,13 +3,15 @@
 /** @import { SpaceApp, SpaceLayer, SurfaceRun } from '../types' */
 /** @import { Palette } from '../../types' */
 import { highestDensity } from '../../draw/layers/cells.js';
-import { counted, short, singularities } from '../../draw/legend.js';
+import { short, singularities } from '../../draw/legend.js';
 import { markOf } from '../../draw/marks.js';
+import { once } from '../../draw/once.js';
 import { dark, light } from '../../draw/palette.js';
 import { showLegend } from '../../layers/legend.js';
 import { h } from '../../panels/dom.js';
+import { counted } from '../../run/words.js';
 import { inOrder, layerNames } from '../model/work.js';
-import { irregularVertices } from '../view/geometry.js';
+import { irregularOnFeatures, irregularVertices } from '../view/geometry.js';
 
 /** @param {SpaceApp} app */
 export function installLayersTab(app) {
@@ -31,7 +33,11 @@ export function installLayersTab(app) {
       h('div', { className: 'layer' }, actions.button(`layer.${name}`, { title: what }), h('kbd', { 'aria-hidden': 'true' }, key)), legend))));
   const refresh = () => {
     const palette = themes.dark ? dark : light;
-    for (const { name, legend } of rows) showLegend(legend, app.layers().has(name) ? legends[name](runner.run, palette) : []);
+    for (const { name, legend } of rows) {
+      const shown = app.layers().has(name), gone = name === 'cells' && runner.run.phase === 'done';
+      showLegend(legend, shown || gone ? legends[name](runner.run, palette) : []);
+      legend.parentElement?.classList.toggle('quiet', gone);
+    }
   };
   store.subscribe(refresh);
   runner.subscribe(refresh);
@@ -55,7 +61,7 @@ const legends = {
     : notYet),
   cells: ({ frame }, palette) => (frame.cells
     ? [{ kind: 'ramp', ramp: palette.ramps.density, low: '1', high: `≥ ${highestDensity}`, of: 'energy per area; a square has 1' }]
-    : [{ kind: 'text', text: 'While a chart is meshed.' }]),
+    : [{ kind: 'text', text: `Only while a chart is meshed${frame.quads ? ': run again, and pause there' : ''}.` }]),
   quads: ({ frame }, palette) => (frame.quads
     ? [{ kind: 'line', colour: palette.ink, width: 1, text: counted(frame.quads.quads.length / 4, 'quad') }] : notYet),
   quality: ({ frame }, palette) => {
@@ -64,9 +70,17 @@ const legends = {
     const of = `mean ${short(eta.reduce((sum, one) => sum + one, 0) / eta.length)}, least ${short(eta.reduce((a, b) => Math.min(a, b), 1))}`;
     return [{ kind: 'ramp', ramp: palette.ramps.quality, low: '≤ 0.4', high: '1', of }];
   },
-  valence: ({ frame }, palette) => (frame.quads
-    ? [...irregularVertices(frame.quads)].sort(([a], [b]) => a - b).map(([excess, vertices]) => {
-      const { shape, colour, text } = markOf(palette, excess);
-      return { kind: /** @type {const} */ ('mark'), shape, colour, hollow: false, text: `${vertices.length} with ${text}` };
-    }) : notYet),
+  valence: ({ frame }, palette) => (frame.quads ? [...marksOf(frame.quads, palette), ...onFeatures(frame.quads)] : notYet),
 };
+
+/** @param {NonNullable<SurfaceRun['frame']['quads']>} quads  @param {Palette} palette  @returns {LegendItem[]} */
+const marksOf = (quads, palette) => [...irregularVertices(quads)].sort(([a], [b]) => a - b).map(([excess, vertices]) => {
+  const { shape, colour, text } = markOf(palette, excess);
+  return { kind: 'mark', shape, colour, hollow: false, text: `${vertices.length} with ${text}` };
+});
+
+/** The figures count these too. @param {NonNullable<SurfaceRun['frame']['quads']>} quads  @returns {LegendItem[]} */
+function onFeatures(quads) {
+  const count = once(quads, 'irregular on features', () => irregularOnFeatures(quads));
+  return count === 0 ? [] : [{ kind: 'text', text: `${count} more on sharp edges, not marked: corners have numbers of their own.` }];
+}

@@ -100,9 +100,9 @@ export const presets = [
   { id: 'gear', title: 'Gear', about: 'flat faces and sharp edges', make: gear },
   { id: 'bored', title: 'Bored block', about: 'planes and a cylinder', make: bored },
   { id: 'pipe', title: 'Bent pipe', about: 'a cylinder, cut open once', make: pipe },
-  { id: 'torus', title: 'Torus', about: 'closed, one hole, needs no irregular vertex', make: torus },
+  { id: 'torus', title: 'Torus', about: 'closed, with one hole', make: torus },
   { id: 'knot', title: 'Knot', about: 'closed, long and thin', make: knot },
-  { id: 'blob', title: 'Blob', about: 'closed: eight irregular vertices at least', make: blob },
+  { id: 'blob', title: 'Blob', about: 'closed: not without irregular vertices', make: blob },
   { id: 'saddle', title: 'Saddle', about: 'curved both ways', make: saddle },
 ];
 

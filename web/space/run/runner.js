@@ -16,8 +16,9 @@ const pictures = 20;         // of the cells in one chart
 const cellsFor = 5000;       // milliseconds for the first ones of all charts together
 const longest = 500;         // for the first one of a chart
 const next = 60;             // for each of the others
-const mostWatching = 15000;  // of all pictures of a run together, drawing included, which may be slow
+const mostWatching = 8000;   // of all pictures of a run together, drawing included, which may be slow
 const pictureEvery = 40;  // milliseconds of meshing between two looks
+const wordEvery = 400;    // the same on the way to the end, where there are no pictures
 const chartsEvery = 250;  // milliseconds between two looks at what all charts have so far: it is drawn anew
 const manySteps = new Set(['mesh', 'seams', 'shape']);
 
@@ -32,6 +33,8 @@ export class SurfaceRunner {
 
   /** Lets a run that waits go on. */
   #release = () => {};
+  /** Straight to the end: nothing is looked at on the way. */
+  #hurried = false;
 
   /** @param {() => Promise<LpquadWorker>} createEngine
    * @param {() => boolean} [watched]  whether charts are meshed slowly enough to see their cells */
@@ -69,7 +72,18 @@ export class SurfaceRunner {
   /** Holds the run, or lets it go on. @param {boolean} [paused] */
   pause(paused = true) {
     if (this.run.phase !== 'running') return;
+    this.#hurried &&= !paused;
     this.#become({ paused });
+    this.#release();
+  }
+
+  get hurried() { return this.#hurried; }
+
+  /** Goes to the end as fast as it can. */
+  end() {
+    if (this.run.phase !== 'running') return;
+    this.#hurried = true;
+    this.#become({ paused: false });
     this.#release();
   }
 
@@ -90,6 +104,7 @@ export class SurfaceRunner {
   async start(work) {
     if (this.run.phase === 'running') this.#drop();
     const mine = ++this.#generation;
+    this.#hurried = false;
     this.#become({ ...nothing, phase: 'running', work });
     try {
       await this.#mesh(work, () => mine === this.#generation);
@@ -117,21 +132,46 @@ export class SurfaceRunner {
     await this.#look(session, wanted, { surface: true });
     const watching = { left: pictures, spent: 0 };
     let looked = 0;
+    /** What has not been looked at on the way to the end. @type {SurfaceLayers} */
+    let missed = {};
     for (let portion = 1; wanted() && session.state.stage !== 'done';) {
-      if (this.run.paused) await new Promise((resolve) => { this.#release = () => resolve(undefined); });
+      if (this.run.paused) await this.#rest();
       const before = session.state, began = performance.now();
-      const shown = before.stage === 'mesh' && (this.run.paused || (watching.left > 0 && watching.spent < mostWatching && this.watched()));
+      const shown = before.stage === 'mesh' && this.#shows(watching);
       const state = await session.step(manySteps.has(before.stage) && !shown && !this.run.paused ? portion : 1);
       const over = state.stage !== before.stage, between = over || state.chart !== before.chart;
-      portion = over || shown ? 1 : portionAfter(portion, performance.now() - began);
-      if (between) [watching.left, portion] = [pictures, 1];
-      if (over || (between && (this.run.paused || performance.now() - looked > chartsEvery))) {
-        await this.#look(session, wanted, layersAfter[before.stage] ?? {});
-        looked = performance.now();
+      portion = over || shown ? 1 : portionAfter(portion, performance.now() - began, this.#hurried ? wordEvery : pictureEvery);
+      if (between) watching.left = pictures;
+      if (between && !this.#hurried) portion = 1;
+      if (over) missed = { ...missed, ...layersAfter[before.stage] };
+      if (this.#looks({ over: over && state.stage, between, missed, ago: performance.now() - looked })) {
+        await this.#look(session, wanted, { ...missed, ...layersAfter[before.stage] });
+        [looked, missed] = [performance.now(), {}];
       } else if (shown && !between) await this.#lookAtCells(session, wanted, watching);
       else if (wanted()) this.#become({ state, frame: { ...this.run.frame, ...between && { cells: undefined } } });
       if (shown && !this.run.paused) watching.spent += performance.now() - began;
     }
+  }
+
+  /** Whether all that is there by now is looked at.
+   * @param {{over: string | false, between: boolean, missed: SurfaceLayers, ago: number}} now  over: the next stage, if one has ended */
+  #looks({ over, between, missed, ago }) {
+    if (this.run.paused) return between || Object.keys(missed).length > 0;
+    if (this.#hurried) return over === 'done';
+    return over !== false || (between && ago > chartsEvery);
+  }
+
+  /** Whether the cells of the chart are looked at. @param {{left: number, spent: number}} watching */
+  #shows({ left, spent }) {
+    return this.run.paused || (!this.#hurried && left > 0 && spent < mostWatching && this.watched());
+  }
+
+  /** Until it is let go on, or so long. @param {number} [milliseconds] */
+  #rest(milliseconds) {
+    return new Promise((resolve) => {
+      this.#release = () => resolve(undefined);
+      if (milliseconds !== undefined) setTimeout(resolve, milliseconds);
+    });
   }
 
   /** @param {WorkerSurfaceSession} session  @param {() => boolean} wanted  @param {SurfaceLayers} layers */
@@ -148,12 +188,12 @@ export class SurfaceRunner {
     const { cells: old } = this.run.frame;
     await this.#look(session, wanted, { cells: true });
     const { cells } = this.run.frame;
-    if (!cells || this.run.paused) return;
+    if (!cells || this.run.paused || this.#hurried) return;
     if (old?.chart === cells.chart && sameNumbers(old.uv, cells.uv)) {
       watching.left = 0;
       return;
     }
-    await new Promise((resolve) => setTimeout(resolve, watching.left < pictures ? next : Math.min(longest, cellsFor / session.state.chartCount)));
+    await this.#rest(watching.left < pictures ? next : Math.min(longest, cellsFor / session.state.chartCount));
     --watching.left;
   }
 }
@@ -161,25 +201,9 @@ export class SurfaceRunner {
 /** @param {Float64Array} a  @param {Float64Array} b */
 const sameNumbers = (a, b) => a.length === b.length && a.every((x, i) => x === b[i]);
 
-/** More steps at once while they are quick. @param {number} portion  @param {number} took */
-export const portionAfter = (portion, took) =>
-  (took > pictureEvery ? Math.max(1, Math.floor(portion / 2)) : Math.min(4096, 2 * portion));
-
-/** @type {Record<SurfaceProgress['stage'], string>} */
-const names = {
-  features: 'finding sharp edges', field: 'solving the cross field', charts: 'mapping charts to the plane',
-  mesh: 'meshing charts', seams: 'remeshing over the seams', shape: 'moving the vertices', done: 'done',
-};
-
-/** Where the run is, in words. @param {SurfaceRun} run */
-export function stageInWords({ phase, state, error, paused }) {
-  if (phase === 'failed') return `failed: ${error?.code ?? ''}`;
-  if (phase === 'cancelled') return 'cancelled';
-  if (phase === 'idle' || state === null) return phase === 'idle' ? 'nothing to mesh yet' : 'loading the mesher';
-  if (phase === 'done') return 'done';
-  const charts = state.stage === 'mesh' ? `: ${state.chart} of ${state.chartCount}` : '';
-  return `${names[state.stage]}${charts}${paused ? ' (paused)' : ''}`;
-}
+/** More steps at once while they are quick. @param {number} portion  @param {number} took  @param {number} [slow]  milliseconds */
+export const portionAfter = (portion, took, slow = pictureEvery) =>
+  (took > slow ? Math.max(1, Math.floor(portion / 2)) : Math.min(4096, 2 * portion));
 
 /** From where to where each stage goes. @type {Record<SurfaceProgress['stage'], [number, number]>} */
 const stretches = {

@@ -140,3 +140,25 @@ export function irregularVertices({ valence, edges }) {
   }
   return found;
 }
+
+/** How many vertices on features, not on borders, have other than four quads: corners belong there, and are not marked.
+ * @param {NonNullable<SurfaceSnapshot['quads']>} quads */
+export function irregularOnFeatures({ quads, triangles, valence, edges }) {
+  const onBorder = new Set(borderEdges([[quads, 4], [triangles, 3]]).flat());
+  let count = 0;
+  for (const v of new Set(edges)) if (valence[v] !== 4 && valence[v] !== 0 && !onBorder.has(v)) ++count;
+  return count;
+}
+
+/** The edges of one face only. @param {[ArrayLike<number>, number][]} faces  with so many corners each */
+function borderEdges(faces) {
+  /** @type {Map<number, [number, number]>} */
+  const once = new Map();
+  for (const [corners, count] of faces)
+    for (let i = 0; i < corners.length; ++i) {
+      const [a, b] = [corners[i], corners[i % count === count - 1 ? i + 1 - count : i + 1]];
+      const edge = Math.min(a, b) * 2 ** 26 + Math.max(a, b);
+      if (!once.delete(edge)) once.set(edge, [a, b]);
+    }
+  return [...once.values()];
+}

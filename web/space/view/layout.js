@@ -1,17 +1,20 @@
 // Where the charts lie in the picture of the planes: side by side in rows, as large as fits. Pure.
-/** @import { SurfaceSnapshot } from 'lpquad' */
+/** @import { Surface, SurfaceSnapshot } from 'lpquad' */
+import { areaOf } from '../model/work.js';
 
 /**
- * Where a chart lies: (u, v) is drawn at (shift[0] + u, shift[1] - v), so that it is seen as from outside.
- * @typedef {{chart: number, triangles: number[], left: number, top: number, shift: [number, number]}} Island
+ * Where a chart lies: (u, v) is drawn at (shift[0] + scale u, shift[1] - scale v), so that it is seen as from outside.
+ * @typedef {{chart: number, triangles: number[], left: number, top: number, scale: number, shift: [number, number]}} Island
  */
-/** @typedef {{islands: Island[], width: number, height: number}} Layout  in the unit of the charts */
+/** @typedef {{islands: Island[], width: number, height: number}} Layout  in the unit of the surface */
 
 const gap = 0.04;  // of the root of the whole area
 
-/** @param {NonNullable<SurfaceSnapshot['charts']>} charts  @param {number} aspect  width over height  @returns {Layout} */
-export function layOut({ charts, uv }, aspect) {
-  const boxes = boxesOf(charts, uv).sort((a, b) => b.height - a.height);
+/** @param {NonNullable<SurfaceSnapshot['charts']>} charts  @param {number} aspect  width over height
+ * @param {Surface} [surface]  in space: each chart is drawn as large as it is there; without, as large as its map
+ * @returns {Layout} */
+export function layOut({ charts, uv }, aspect, surface) {
+  const boxes = boxesOf(charts, uv, surface).sort((a, b) => b.height - a.height);
   const area = boxes.reduce((sum, { width, height }) => sum + width * height, 0);
   const between = gap * Math.sqrt(area);
   let best = inRows(boxes, between, 1);
@@ -24,12 +27,12 @@ export function layOut({ charts, uv }, aspect) {
   return best;
 }
 
-/** @param {ArrayLike<number>} charts  @param {ArrayLike<number>} uv */
-function boxesOf(charts, uv) {
-  /** @type {{chart: number, triangles: number[], low: [number, number], width: number, height: number}[]} */
+/** @param {ArrayLike<number>} charts  @param {ArrayLike<number>} uv  @param {Surface} [surface] */
+function boxesOf(charts, uv, surface) {
+  /** @type {{chart: number, triangles: number[], low: [number, number], scale: number, width: number, height: number}[]} */
   const boxes = [];
   for (let t = 0; t < charts.length; ++t) {
-    const box = boxes[charts[t]] ??= { chart: charts[t], triangles: [], low: [Infinity, Infinity], width: 0, height: 0 };
+    const box = boxes[charts[t]] ??= { chart: charts[t], triangles: [], low: [Infinity, Infinity], scale: 1, width: 0, height: 0 };
     box.triangles.push(t);
   }
   const some = boxes.filter(Boolean);
@@ -40,11 +43,25 @@ function boxesOf(charts, uv) {
         box.low[i % 2] = Math.min(box.low[i % 2], uv[i]);
         high[i % 2] = Math.max(high[i % 2], uv[i]);
       }
-    box.width = high[0] - box.low[0];
-    box.height = high[1] - box.low[1];
+    if (surface) box.scale = scaleOf(box.triangles, uv, surface);
+    box.width = box.scale * (high[0] - box.low[0]);
+    box.height = box.scale * (high[1] - box.low[1]);
   }
   return some;
 }
+
+/** What makes the area of a chart that in space: a conformal map is right up to a factor, and no chart may dwarf the others.
+ * @param {number[]} triangles  @param {ArrayLike<number>} uv  @param {Surface} surface */
+function scaleOf(triangles, uv, { points, triangles: corners }) {
+  const flat = triangles.reduce((sum, t) => sum + areaInPlane(uv, 6 * t), 0);
+  const inSpace = areaOf({ points, triangles: Uint32Array.from(triangles.flatMap((t) => [...corners.subarray(3 * t, 3 * t + 3)])) });
+  const scale = Math.sqrt(inSpace / flat);
+  return Number.isFinite(scale) && scale > 0 ? scale : 1;
+}
+
+/** @param {ArrayLike<number>} uv  @param {number} i  the first of the six numbers of a triangle */
+const areaInPlane = (uv, i) =>
+  Math.abs((uv[i + 2] - uv[i]) * (uv[i + 5] - uv[i + 1]) - (uv[i + 4] - uv[i]) * (uv[i + 3] - uv[i + 1])) / 2;
 
 /** @param {ReturnType<typeof boxesOf>} boxes  the highest first  @param {number} between  @param {number} most  width
  * @returns {Layout} */
@@ -52,8 +69,8 @@ function inRows(boxes, between, most) {
   let [left, top, row, width] = [0, 0, 0, 0];
   const islands = boxes.map((box) => {
     if (left > 0 && left + box.width > most) [left, top, row] = [0, top + row + between, 0];
-    const island = { chart: box.chart, triangles: box.triangles, left, top,
-      shift: /** @type {[number, number]} */ ([left - box.low[0], top + box.low[1] + box.height]) };
+    const island = { chart: box.chart, triangles: box.triangles, left, top, scale: box.scale,
+      shift: /** @type {[number, number]} */ ([left - box.scale * box.low[0], top + box.scale * box.low[1] + box.height]) };
     row = Math.max(row, box.height);
     width = Math.max(width, left + box.width);
     left += box.width + between;

@@ -3,20 +3,21 @@
 /** @import { SurfaceSnapshot } from 'lpquad' */
 /** @import { Shape as MarkShape } from '../../draw/marks.js' */
 import {
-  BufferAttribute, BufferGeometry, CanvasTexture, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, Points,
-  PointsMaterial,
+  BufferAttribute, BufferGeometry, CanvasTexture, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial,
+  Points, PointsMaterial,
 } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { cornersOf, markOf } from '../../draw/marks.js';
+import { bordersOf, nextCorner } from './borders.js';
 import {
   cellColours, chartColour, crossLines, edgesOfQuads, gather, irregularVertices, meshOfCells, parts, perCorner, qualityColours, trianglesOfQuads,
 } from './geometry.js';
 
 const phone = matchMedia('(max-width: 760px)');  // marks are smaller there, and lines fainter: they are nearer to each other
 const markSize = () => (phone.matches ? 8 : 13);  // pixels
-const cutWidth = 1.5, featureWidth = 2.5;
+const cutWidth = 1.5, featureWidth = 2.5, pointedWidth = 3;
 
 /** @param {Float32Array} positions  @param {Float32Array} colours  three numbers a corner
  * @param {number} back  how far behind the lines and other faces on them */
@@ -44,6 +45,13 @@ function thick(positions, colour, width) {
   return new LineSegments2(geometry, new LineMaterial({ color: colour, linewidth: width }));
 }
 
+/** Draws it a little nearer than it is. @param {import('three').Material} material */
+function bringForward(material) {
+  material.onBeforeCompile = (shader) => {
+    shader.vertexShader = shader.vertexShader.replace('#include <fog_vertex>', '#include <fog_vertex>\n gl_Position.z -= 0.004 * gl_Position.w;');
+  };
+}
+
 /** A mark of the plane's drawings as a picture. @param {MarkShape} shape  @param {string} colour  @param {boolean} hollow */
 function markPicture(shape, colour, hollow) {
   const canvas = document.createElement('canvas');
@@ -67,28 +75,45 @@ function marks(positions, palette, excess, hollow) {
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   const material = new PointsMaterial({ size: markSize(), sizeAttenuation: false, map: markPicture(shape, colour, hollow),
     transparent: true, alphaTest: 0.1 });
-  // A little nearer than they are: a mark faces the reader, so that a slanting surface would cut it in two.
-  material.onBeforeCompile = (shader) => {
-    shader.vertexShader = shader.vertexShader.replace('#include <fog_vertex>', '#include <fog_vertex>\n gl_Position.z -= 0.004 * gl_Position.w;');
-  };
+  bringForward(material);  // a mark faces the reader, so that a slanting surface would cut it in two
   return new Points(geometry, material);
 }
 
 /** @typedef {import('lpquad').Surface} SurfaceLayer */
 
-/** The triangles; by chart, or all alike. @param {SurfaceLayer} surface  @param {Palette} palette  @param {boolean} dark
- * @param {ArrayLike<number>} [charts]  @param {number} [pointed]
+/** The triangles; by chart, or all alike. @param {SurfaceLayer} surface  @param {boolean} dark
+ * @param {ArrayLike<number>} [charts]
  * @param {(triangle: number) => boolean} [left]  left out: they shrink to nothing, so that the others keep their numbers */
-export function surfaceObject({ points, triangles }, palette, dark, charts, pointed = -1, left = () => false) {
+export function surfaceObject({ points, triangles }, dark, charts, left = () => false) {
   const plain = parts(dark ? '#33475c' : '#dbe4ee');
-  const accent = parts(palette.accent);
-  const colour = (/** @type {number} */ t) => {
-    if (charts === undefined) return plain;
-    return charts[t] === pointed ? accent : chartColour(charts[t], dark);
-  };
-  const colours = Array.from({ length: triangles.length / 3 }, (_, t) => colour(t));
+  const colours = Array.from({ length: triangles.length / 3 }, (_, t) => (charts === undefined ? plain : chartColour(charts[t], dark)));
   const corners = Uint32Array.from(triangles, (vertex, i) => (left(Math.floor(i / 3)) ? 0 : vertex));
   return faces(gather(points, corners), perCorner(colours, 3), 2);
+}
+
+/** What is pointed at: all triangles, there whatever is drawn over them, and not seen. @param {SurfaceLayer} surface */
+export function targetObject({ points, triangles }) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(Float32Array.from(points), 3));
+  geometry.setIndex(new BufferAttribute(Uint32Array.from(triangles), 1));
+  const target = new Mesh(geometry, new MeshBasicMaterial({ side: DoubleSide }));
+  target.visible = false;
+  return target;
+}
+
+/** The chart that is pointed at: a tint over whatever is drawn there, and its border.
+ * @param {SurfaceLayer} surface  @param {NonNullable<SurfaceSnapshot['charts']>} charts  @param {number} chart  @param {Palette} palette */
+export function pointedObject({ points, triangles }, charts, chart, palette) {
+  const corners = triangles.filter((_, i) => charts.charts[Math.floor(i / 3)] === chart);
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(gather(points, corners), 3));
+  const tint = new Mesh(geometry, new MeshBasicMaterial({ color: palette.accent, side: DoubleSide, transparent: true, opacity: 0.3, depthWrite: false }));
+  const ends = bordersOf(charts, triangles, chart).flatMap((i) => [triangles[i], triangles[nextCorner(i)]]);
+  const border = thick(gather(points, ends), palette.accent, pointedWidth);
+  // Quads are chords: where the surface is round they would cover parts of it.
+  bringForward(tint.material);
+  bringForward(border.material);
+  return new Group().add(tint, border);
 }
 
 /** @param {SurfaceLayer} surface  @param {NonNullable<SurfaceSnapshot['features']>} features  @param {Palette} palette */

@@ -4,10 +4,12 @@
 import { once } from '../../draw/once.js';
 import { dark, light } from '../../draw/palette.js';
 import { atNextPicture } from '../../panels/next_picture.js';
+import { bordersOf, nextCorner } from './borders.js';
 import { cellColours, chartColour } from './geometry.js';
 import { layOut, quadsInPlanes } from './layout.js';
 
 const margin = 12;
+const borderWidth = 2.5, tint = 0.3;  // of the chart that is pointed at: the lines on it stay to be read
 
 /** @typedef {NonNullable<import('lpquad').SurfaceSnapshot['charts']>} Charts */
 
@@ -55,7 +57,8 @@ export class Planes {
 
   /** @param {Charts} charts  @param {number} aspect */
   #layout(charts, aspect) {
-    if (this.#known?.charts !== charts || this.#known.aspect !== aspect) this.#known = { charts, aspect, layout: layOut(charts, aspect) };
+    const { surface } = this.#app.runner.run.frame;
+    if (this.#known?.charts !== charts || this.#known.aspect !== aspect) this.#known = { charts, aspect, layout: layOut(charts, aspect, surface) };
     return this.#known.layout;
   }
 
@@ -95,19 +98,20 @@ export class Planes {
   }
 }
 
-/** @param {CanvasRenderingContext2D} context
+/** @param {CanvasRenderingContext2D} context  its lines are a pixel wide
  * @param {{charts: Charts, layout: Layout}} planes  @param {SpaceApp} app
  * @param {number} fade  of the lines of triangles */
 function drawPlanes(context, { charts, layout }, { layers, pointed, runner, themes }, fade) {
   const palette = themes.dark ? dark : light;
-  const { result, frame: { cells } } = runner.run;
+  const { result, frame: { cells, surface } } = runner.run;
   const quads = result ? once(result, 'planes', () => quadsInPlanes(charts, result)) : null;
-  for (const { chart, triangles, shift } of layout.islands) {
+  const pixel = context.lineWidth;
+  for (const { chart, triangles, scale, shift } of layout.islands) {
     context.save();
     context.translate(...shift);
-    context.scale(1, -1);
-    context.fillStyle = chart === pointed.chart ? palette.accent
-      : `rgb(${chartColour(chart, themes.dark).map((x) => Math.round(255 * x))})`;
+    context.scale(scale, -scale);
+    context.lineWidth = pixel / scale;
+    context.fillStyle = `rgb(${chartColour(chart, themes.dark).map((x) => Math.round(255 * x))})`;
     context.beginPath();
     for (const t of triangles) traceLoop(context, charts.uv, 6 * t, 3);
     context.fill();
@@ -119,8 +123,28 @@ function drawPlanes(context, { charts, layout }, { layers, pointed, runner, them
     else for (const t of triangles) traceLoop(context, charts.uv, 6 * t, 3);
     context.stroke();
     if (cells?.chart === chart && layers().has('cells')) drawCells(context, cells, palette);
+    if (chart === pointed.chart && surface) drawPointed(context, charts, { chart, triangles, surface }, palette.accent);
     context.restore();
   }
+}
+
+/** @param {CanvasRenderingContext2D} context  @param {Charts} charts
+ * @param {{chart: number, triangles: number[], surface: import('lpquad').Surface}} island  @param {string} colour */
+function drawPointed(context, charts, { chart, triangles, surface }, colour) {
+  context.fillStyle = context.strokeStyle = colour;
+  context.globalAlpha = tint;
+  context.beginPath();
+  for (const t of triangles) traceLoop(context, charts.uv, 6 * t, 3);
+  context.fill();
+  context.globalAlpha = 1;
+  context.lineWidth *= borderWidth;
+  context.beginPath();
+  for (const i of bordersOf(charts, surface.triangles, chart)) {
+    const next = nextCorner(i);
+    context.moveTo(charts.uv[2 * i], charts.uv[2 * i + 1]);
+    context.lineTo(charts.uv[2 * next], charts.uv[2 * next + 1]);
+  }
+  context.stroke();
 }
 
 /** @param {CanvasRenderingContext2D} context  @param {import('./geometry.js').Cells} cells  @param {import('../../types').Palette} palette */
@@ -151,11 +175,11 @@ export const nextChart = (chart, by, count) => (chart < 0 ? (by > 0 ? 0 : count 
 /** The chart at a place of the picture; -1: none. @param {ArrayLike<number>} uv  @param {Layout} layout  @param {number} x
  * @param {number} y */
 export function pick(uv, { islands }, x, y) {
-  for (const { chart, triangles, shift } of islands)
+  for (const { chart, triangles, scale, shift } of islands)
     for (const t of triangles) {
       const side = (/** @type {number} */ k) => {
         const [i, j] = [6 * t + 2 * k, 6 * t + 2 * ((k + 1) % 3)];
-        return (uv[j] - uv[i]) * (shift[1] - y - uv[i + 1]) - (uv[j + 1] - uv[i + 1]) * (x - shift[0] - uv[i]);
+        return (uv[j] - uv[i]) * ((shift[1] - y) / scale - uv[i + 1]) - (uv[j + 1] - uv[i + 1]) * ((x - shift[0]) / scale - uv[i]);
       };
       if (side(0) >= 0 && side(1) >= 0 && side(2) >= 0) return chart;
     }

@@ -3,7 +3,7 @@
 /** @import { Palette } from '../../types' */
 import { dark, light } from '../../draw/palette.js';
 import { boxOf } from '../model/work.js';
-import { cellObject, crossObject, cutObject, featureObject, irregularObject, quadObject, surfaceObject } from './objects.js';
+import { cellObject, crossObject, cutObject, featureObject, irregularObject, pointedObject, quadObject, surfaceObject, targetObject } from './objects.js';
 
 /**
  * A part of the picture: what it depends on, and how it is made; null: it is not there.
@@ -64,8 +64,11 @@ function below({ pointed, themes, runner }, on, surface, { cells, charts, quads 
   const celled = on.has('cells') && cells !== undefined ? cells.chart : -1;
   const left = (/** @type {number} */ t) => charts !== undefined && (charts.charts[t] < meshed || charts.charts[t] === celled);
   return {
-    surface: part([on.has('surface') || byChart || !covered, surface, byChart && charts, pointed.chart, palette, !on.has('surface') && meshed, celled],
-      () => surfaceObject(surface, palette, themes.dark, byChart ? charts?.charts : undefined, pointed.chart, on.has('surface') ? undefined : left)),
+    surface: part([on.has('surface') || byChart || !covered, surface, byChart && charts, palette, !on.has('surface') && meshed, celled],
+      () => surfaceObject(surface, themes.dark, byChart ? charts?.charts : undefined, on.has('surface') ? undefined : left)),
+    target: part([true, surface], () => targetObject(surface)),
+    pointed: part([pointed.chart >= 0 && charts !== undefined, pointed.chart, surface, charts, palette],
+      () => (charts ? pointedObject(surface, charts, pointed.chart, palette) : null)),
     cells: part([celled >= 0, cells, palette], () => (cells ? cellObject(cells, palette) : null)),
     cuts: part([byChart, charts, palette], () => (charts ? cutObject(surface, charts, palette) : null)),
     quads: part([lines || quality, quads, quality, lines, byChart, palette],

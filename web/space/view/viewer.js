@@ -24,10 +24,12 @@ export class Viewer {
   #parts = new Map();
   #scheduled = false;
   #box = { middle: [0, 0, 0], radius: 1 };
+  /** Nobody has moved the camera since all was looked at: then all stays in view when the view becomes narrower. */
+  #fitted = false;
   /** A triangle of the part `pickable` is pointed at; -1: none. @type {(triangle: number) => void} */
   pointed = () => {};
   /** The part whose triangles can be pointed at. */
-  pickable = 'surface';
+  pickable = 'target';
 
   /** @param {HTMLElement} element  holds the canvas */
   constructor(element) {
@@ -41,6 +43,7 @@ export class Viewer {
     this.#light();
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.addEventListener('change', () => this.invalidate());
+    this.controls.addEventListener('start', () => { this.#fitted = false; });
     this.#listen();
     new ResizeObserver(() => this.#resize()).observe(element);
   }
@@ -99,6 +102,7 @@ export class Viewer {
 
   /** @param {Vector3} place */
   #moveTo(place) {
+    this.#fitted = false;
     this.camera.position.copy(place);
     this.controls.update();
     this.invalidate();
@@ -115,6 +119,7 @@ export class Viewer {
     this.camera.far = 4 * far + 4 * box.radius;
     this.camera.updateProjectionMatrix();
     this.#moveTo(new Vector3(-0.75, -1, 0.75).normalize().multiplyScalar(far).add(this.controls.target));
+    this.#fitted = true;
   }
 
   /** Shows something by name, instead of what had the name. @param {string} name  @param {Object3D | null} object */
@@ -146,6 +151,7 @@ export class Viewer {
     this.renderer?.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    if (this.#fitted) this.fit();
     this.#paint();  // at once: a canvas that changed its size is empty
   }
 

@@ -1,0 +1,40 @@
+// What a run of surfaces is doing, and why it failed, in plain words.
+/** @import { SurfaceProgress } from 'lpquad' */
+/** @import { SurfaceRun } from '../types' */
+import { nameOfOption } from '../../mesh/options.js';
+import { counted } from '../../run/words.js';
+import { titleOf } from '../../sketch/errors/words.js';
+
+/** @type {Record<SurfaceProgress['stage'], string>} */
+const names = {
+  features: 'finding sharp edges', field: 'solving the cross field', charts: 'mapping charts to the plane',
+  mesh: 'meshing charts', seams: 'remeshing over the seams', shape: 'moving the vertices', done: 'done',
+};
+
+/** Where the run is. @param {SurfaceRun} run */
+export function stageInWords({ phase, state, error, paused, result }) {
+  if (phase === 'failed') return `failed: ${shortTitle(error?.code ?? '')}`;
+  if (phase === 'cancelled') return 'cancelled';
+  if (phase === 'idle' || state === null) return phase === 'idle' ? 'nothing to mesh yet' : 'loading the mesher';
+  if (phase === 'done') return result === null ? 'done' : `done: ${counted(result.report.quads, 'quad')}`;
+  const charts = state.stage === 'mesh' ? `: ${state.chart} of ${state.chartCount}` : '';
+  return `${names[state.stage]}${charts}${paused ? ' (paused)' : ''}`;
+}
+
+/** In the middle of a sentence. @param {string} code */
+const shortTitle = (code) => titleOf(code).replace(/\.$/, '').replace(/^./, (first) => first.toLowerCase());
+
+const manyDigits = 5;
+
+/** A message of the mesher as people write: options by their names on the page, numbers with all their digits.
+ * @param {string} message */
+export const messageInWords = (message) => message
+  .replace(/(?<![\w.])\d+(?:\.\d+)?e\+\d+(?![\w.]*\w)/g, (number) => written(Number(number)))
+  .replace(new RegExp(`(?<![\\w.,-])\\d{${manyDigits},}(?![\\w,-]|\\.\\w)`, 'g'), (number) => written(Number(number)))
+  .replace(/\b[a-z]+(?:[A-Z][a-z]+)+\b/g, (name) => `“${nameOfOption(name)}”`);
+
+/** @param {number} number */
+function written(number) {
+  if (number < 1e9) return number.toLocaleString('en');
+  return number < 1e15 ? number.toLocaleString('en', { notation: 'compact', compactDisplay: 'long', maximumSignificantDigits: 2 }) : 'far too many';
+}
