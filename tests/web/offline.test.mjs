@@ -48,7 +48,7 @@ test('so does the page for space', async () => {
   await kept(page);
   await page.context().setOffline(true);
   await page.goto(`${playground.address}space.html#preset=saddle&size=0.25`);
-  await page.locator('.stage-name', { hasText: /^done$/ }).waitFor({ timeout: 180000 });
+  await page.locator('.stage-name', { hasText: /^done/ }).waitFor({ timeout: 180000 });
   assert.deepEqual(page.errors, []);
   await page.context().close();
 });
