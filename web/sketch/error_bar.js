@@ -3,6 +3,7 @@
 /** @import { Point } from '../types' */
 /** @import { Fix, Problem } from './errors/fixes.js' */
 /** @import { Sketch } from './sketch.js' */
+import { toScreen } from '../draw/view.js';
 import { h, setText } from '../panels/dom.js';
 import { icon } from '../panels/icons.js';
 import { atNextPicture } from '../panels/next_picture.js';
@@ -12,7 +13,7 @@ import { drawPlace } from './marks.js';
 import { diagonalOf } from './model/drawing.js';
 
 /** A message of the page's own: a file that was not read, what was left out of one.
- * @typedef {{title: string, details: string, problem?: Problem}} Notice */
+ * @typedef {{title: string, details: string, problem?: Problem, refused?: boolean}} Notice  refused: another file may do */
 
 export class ErrorBar {
   #app;
@@ -80,6 +81,7 @@ export class ErrorBar {
     if (key.every((value, i) => value === this.#builtFor[i])) return;
     this.#builtFor = key;
     this.#mark(shown.problem ? placeOf(shown.problem, store.project) : null);
+    if (store.gesture === '') this.#stepAside();
     this.#buttons.replaceChildren(...(store.gesture === '' ? this.#buttonsFor(shown) : []));  // a drag goes on
   }
 
@@ -89,9 +91,16 @@ export class ErrorBar {
     this.#place = place;
   }
 
+  /** To the other end of the stage where the place is that it would hide. */
+  #stepAside() {
+    const { view } = this.#app.stage;
+    this.#bar.classList.toggle('below', this.#place !== null && toScreen(view, ...this.#place)[1] < view.height / 2);
+  }
+
   /** @param {Notice} shown  @returns {HTMLElement[]} */
-  #buttonsFor({ problem }) {
+  #buttonsFor({ problem, refused = false }) {
     const made = [], place = this.#place;
+    if (refused) made.push(h('button', { type: 'button', className: 'primary', onclick: () => this.#app.actions.run('file.open') }, 'Open another file'));
     if (place) made.push(h('button', { type: 'button', onclick: () => this.#look(place) }, 'Show me'));
     const fixes = problem ? fixesFor(problem, this.#app.store.project) : [];
     made.push(...fixes.map((fix, i) => h('button', { type: 'button', className: i === 0 ? 'primary fix' : 'fix', onclick: () => this.#apply(fix) }, fix.label)));
