@@ -1,4 +1,5 @@
 // What the parts of the page are given: everything shared, made once in main.js.
+import type { Sides } from './compare/sides.js';
 import type { Stage } from './stage/stage.js';
 import type { Actions } from './panels/actions.js';
 import type { Tabs } from './panels/tabs.js';
@@ -18,7 +19,9 @@ export interface App {
   themes: Themes;
   /** Says a sentence to screen readers. */
   announce: (text: string) => void;
-  /** The runs that the timeline leads: the run, or those that are compared. */
+  /** What is on the screen: the run, or those that are compared. */
+  sides: Sides;
+  /** The runs that the timeline leads: of what is on the screen. */
   led: () => Runner[];
   /** What is wrong with a drawing; the mesher is not called with it. Set by the sketch part. */
   problemsOf: (drawing: Drawing) => NonNullable<Run['error']>[];

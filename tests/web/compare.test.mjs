@@ -48,14 +48,14 @@ test('two meshes side by side, one clock, one view, and a table of what differs'
   const page = await playground.open();
   await finished(page);
   await page.getByRole('tab', { name: 'Compare' }).click();
-  await page.getByRole('radio', { name: 'Without and with L_p' }).check();
+  await page.getByRole('radio', { name: 'Without and with Lp' }).check();
   await both(page);
   const table = page.getByRole('table', { name: 'Differences' });
   const row = async (name) => (await table.getByRole('row', { name }).getByRole('cell').allTextContents());
   const [a, b, by] = await row(/mean η/);
   assert.ok(Number(b) > Number(a), `${a} ${b}`);
   assert.ok(by.startsWith('+'));
-  assert.match(await page.getByRole('group', { name: 'Mesh B' }).textContent(), /80 iterations of L_p.*done: .* quads/);
+  assert.match(await page.getByRole('group', { name: 'Mesh B' }).textContent(), /80 iterations of Lp.*done: .* quads/);
 
   await page.keyboard.press('Shift+E');  // one clock
   await page.waitForFunction(() => globalThis.playground.led().every(({ run }) => run.state.tick === 0 && run.frame.tick === 0));
@@ -127,5 +127,31 @@ test('a change of the drawing runs both again; meanwhile both are out of date', 
     return led.every(({ run }) => run.phase === 'done' && Math.max(...run.frame.quads.points) === 1.75);
   });
   assert.deepEqual(await page.locator('.side-stage').evaluateAll((all) => all.map((one) => one.dataset.freshness)), ['current', 'current']);
+  await page.context().close();
+});
+
+test('figures, fingerprint and legends are of the side that is chosen', async () => {
+  const page = await playground.open({ hash: '#preset=gear' });
+  await finished(page);
+  await page.getByRole('tab', { name: 'Compare' }).click();
+  await page.getByRole('radio', { name: 'p = 2 and p = 6' }).check();
+  await both(page);
+  const reports = await page.evaluate(() => globalThis.playground.led().map(({ run }) => run.result.report));
+  const hashes = reports.map(({ hash }) => hash);
+  assert.ok(!hashes.includes(await page.evaluate(() => globalThis.playground.runner.run.result?.report.hash)));
+  for (const [at, name] of [[1, 'B: p = 6'], [0, 'A: p = 2']]) {
+    await page.getByRole('tab', { name: 'Figures' }).click();
+    const choice = page.locator('#panel-figures').getByRole('button', { name });
+    if (at === 0) await choice.click();
+    assert.equal(await choice.getAttribute('aria-pressed'), 'true');
+    await page.locator('.hash', { hasText: reports[at].hash }).waitFor();
+    assert.equal(Number(await page.locator('[data-figure="etaMean"]').getAttribute('data-value')), reports[at].quality.etaMean);
+    await page.getByRole('tab', { name: 'Layers' }).click();
+    await page.locator('.legend', { hasText: `${reports[at].quality.fourValentPercent.toFixed(1)} % of` }).waitFor();
+  }
+  await page.keyboard.press('Control+z');
+  await page.getByRole('tab', { name: 'Figures' }).click();
+  assert.equal(await page.locator('#panel-figures .side-choice').isVisible(), false);
+  assert.deepEqual(page.errors, []);
   await page.context().close();
 });

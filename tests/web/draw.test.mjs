@@ -159,8 +159,8 @@ test('unique edges by rows are those of a set', () => {
 test('legends give the numbers of the scene', () => {
   const { frame } = plate.scene;
   const texts = (name) => legendOf(name, withLayers(plate.scene, name)).map((item) => item.text ?? `${item.low} ${item.of} ${item.high}`).join('; ');
-  assert.match(texts('quads'), new RegExp(`^${frame.quads.quads.length / 4} quads`));
-  assert.match(texts('triangles'), new RegExp(`^${frame.triangles.triangles.length / 3} triangles`));
+  assert.match(texts('quads'), new RegExp(`^${(frame.quads.quads.length / 4).toLocaleString('en')} quads`));
+  assert.match(texts('triangles'), new RegExp(`^${(frame.triangles.triangles.length / 3).toLocaleString('en')} triangles`));
   assert.match(texts('valence'), new RegExp(`${frame.quads.excess.filter((e) => e === -1).length} with one quad too few`));
   assert.match(texts('crosses'), /four|4 singularities −1: five quads meet/);
   assert.match(texts('boundary'), /2 outlines, 36 points/);

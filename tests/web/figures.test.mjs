@@ -15,7 +15,7 @@ after(() => playground.close());
 
 const figure = async (name) => Number(await page.locator(`[data-figure="${name}"]`).getAttribute('data-value'));
 const titled = (text) => page.locator('.figures-of', { hasText: text }).waitFor();
-const curve = () => page.getByRole('slider', { name: 'Energy E by iteration' });
+const curve = () => page.getByRole('slider', { name: 'Energy F by iteration' });
 
 test('at the end the numbers are those that the library gives anywhere', async () => {
   const { drawing, options } = await page.evaluate(() => globalThis.playground.store.project);

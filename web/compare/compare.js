@@ -3,7 +3,7 @@
 /** @import { App } from '../app' */
 /** @import { Stage } from '../stage/stage.js' */
 /** @import { View } from '../types' */
-import { h, setText } from '../panels/dom.js';
+import { h, withoutSubscripts, withSubscripts } from '../panels/dom.js';
 import { comparisonOf, comparisons } from './comparisons.js';
 import { createDifferences } from './differences.js';
 import { createSide } from './side.js';
@@ -11,11 +11,13 @@ import { createSide } from './side.js';
 /** @param {App} app  @param {() => Promise<LpquadWorker>} createEngine  @param {() => void} refreshTimeline */
 export function installCompare(app, createEngine, refreshTimeline) {
   const { store, actions, announce } = app;
+  const [alone] = app.sides.all;
   const section = h('section', { id: 'compare', role: 'main', hidden: true, 'aria-label': 'Comparison' });
   app.stage.element.after(section);
   const choose = (/** @type {string} */ id) => {
-    store.change(id === '' ? 'End the comparison' : `Compare ${comparisonOf(id)?.title}`, { comparison: id });
-    announce(id === '' ? 'Comparison ended' : `Comparing: ${comparisonOf(id)?.title}`);
+    const title = withoutSubscripts(comparisonOf(id)?.title ?? '');
+    store.change(id === '' ? 'End the comparison' : `Compare ${title}`, { comparison: id });
+    announce(id === '' ? 'Comparison ended' : `Comparing: ${title}`);
   };
   const { body, show } = createTab(app, choose);
   actions.add(
@@ -31,6 +33,7 @@ export function installCompare(app, createEngine, refreshTimeline) {
   let pair = null;
   const refresh = () => {
     show(pair?.figures ?? []);
+    app.sides.tell();
     refreshTimeline();
     actions.refresh();
   };
@@ -43,7 +46,7 @@ export function installCompare(app, createEngine, refreshTimeline) {
       pair ??= createPair(app, section, createEngine, refresh);
       pair.follow(comparison);
     }
-    app.led = () => (comparison === undefined || pair === null ? [app.runner] : pair.runners);
+    app.sides.show(comparison === undefined || pair === null ? [alone] : pair.sides);
     refresh();
   }
   store.subscribe(follow);
@@ -61,7 +64,7 @@ function createPair(app, section, createEngine, changed) {
   link(app.stage, sides.map(({ stage }) => stage));
   for (const { runner } of sides) runner.subscribe(changed);
   return {
-    runners: sides.map(({ runner }) => runner),
+    sides,
     get figures() { return sides.map(({ figures }) => figures()); },
     refresh: () => sides.forEach(({ refresh }) => refresh()),
     close: () => sides.forEach(({ close }) => close()),
@@ -101,16 +104,16 @@ function link(main, stages) {
 function createTab({ store, tabs }, choose) {
   const why = h('p', { className: 'help' });
   const radios = ['', ...comparisons.map(({ id }) => id)].map((id) =>
-    h('input', { type: 'radio', name: 'comparison', value: id, onchange: () => choose(id) }));
+    h('input', { type: 'radio', name: 'comparison', value: id, 'aria-label': withoutSubscripts(comparisonOf(id)?.title ?? 'nothing'), onchange: () => choose(id) }));
   const list = h('fieldset', { className: 'comparisons' }, h('legend', null, 'Compare on this drawing'),
-    ...radios.map((radio, i) => h('label', null, radio, i === 0 ? 'nothing' : comparisons[i - 1].title)));
+    ...radios.map((radio, i) => h('label', null, radio, ...(i === 0 ? ['nothing'] : withSubscripts(comparisons[i - 1].title)))));
   const differences = createDifferences();
   const body = tabs.add('compare', 'Compare', list, why, differences.element);
   const show = (/** @type {import('../figures/statistics.js').Figures[]} */ figures) => {
     const { comparison } = store.project;
     const chosen = comparisonOf(comparison);
     for (const radio of radios) radio.checked = radio.value === (chosen ? comparison : '');
-    setText(why, chosen?.why ?? 'Two meshes of the same drawing side by side, with one thing changed.');
+    why.replaceChildren(...withSubscripts(chosen?.why ?? 'Two meshes of the same drawing side by side, with one thing changed.'));
     differences.show(chosen, figures);
   };
   return { body, show };

@@ -1,7 +1,7 @@
 // The table of what differs between the two sides of a comparison.
 /** @import { Comparison } from './comparisons.js' */
 /** @import { Figures } from '../figures/statistics.js' */
-import { h, setText } from '../panels/dom.js';
+import { h, setText, withSubscripts } from '../panels/dom.js';
 import { difference, lines } from './comparisons.js';
 
 export function createDifferences() {
@@ -20,7 +20,7 @@ export function createDifferences() {
   function show(comparison, figures) {
     element.hidden = comparison === undefined || figures.length < 2;
     if (comparison === undefined || figures.length < 2) return;
-    heads.forEach((head, i) => setText(head, `${'AB'[i]}: ${comparison.sides[i].name}`));
+    heads.forEach((head, i) => head.replaceChildren(...withSubscripts(`${'AB'[i]}: ${comparison.sides[i].name}`)));
     for (const { line, cells, by } of rows) {
       cells.forEach((cell, i) => {
         const value = line.of(figures[i]);

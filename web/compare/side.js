@@ -5,8 +5,8 @@
 /** @import { Side } from './comparisons.js' */
 import { dark, light } from '../draw/palette.js';
 import { figuresOf } from '../figures/statistics.js';
-import { h, setText } from '../panels/dom.js';
-import { shownOf } from '../run/follow.js';
+import { h, setText, withoutSubscripts, withSubscripts } from '../panels/dom.js';
+import { isAnother, shownOf } from '../run/follow.js';
 import { Runner } from '../run/runner.js';
 import { describe } from '../run/words.js';
 import { Stage } from '../stage/stage.js';
@@ -38,25 +38,27 @@ export function createSide(app, letter, createEngine) {
     const good = etaMean === undefined ? '' : `, η ${etaMean.toFixed(3)}, ${fourValentPercent?.toFixed(1)} % regular`;
     const text = freshness === 'current' ? describe(runner.run) + good : 'out of date';
     setText(told, text);
-    canvas.setAttribute('aria-label', `Mesh ${letter}, ${last?.side.name ?? ''}: ${text}`);
+    canvas.setAttribute('aria-label', `Mesh ${letter}, ${withoutSubscripts(last?.side.name ?? '')}: ${text}`);
     area.dataset.freshness = freshness;
     stage.invalidate();
   };
   runner.subscribe(refresh);
 
   return {
-    element, runner, stage, refresh,
+    element, runner, stage, refresh, scene: stage.scene,
+    get name() { return `${letter}: ${last?.side.name ?? ''}`; },
     figures: () => (stage.scene().freshness === 'current' ? figuresOf(runner.run) : { final: false }),
     /** @param {Project} whole  @param {Side} side */
     follow(whole, side) {
       const made = projectOf(whole, side, last);
       const same = last !== null && made.options === last.made.options && runner.run.project !== null;
+      const keep = last === null || !isAnother(whole, last.project);
       last = { project: whole, side, made };
-      setText(name, side.name);
+      name.replaceChildren(...withSubscripts(side.name));
       if (same) return void runner.refresh();
       const [problem] = app.problemsOf(whole.drawing);
-      if (problem) runner.refuse(made, problem);
-      else void runner.load(made, { going: 'end' });
+      if (problem) runner.refuse(made, problem, { keep });
+      else void runner.load(made, { going: 'end', keep });
     },
     /** A gesture goes on: what is shown is of before. */
     wait() {

@@ -20,7 +20,7 @@ import { rangeOf } from './sampler.js';
 export const short = (x) => String(Number(x.toPrecision(3)));
 
 /** @param {number} n  @param {string} one  @param {string} [many] */
-export const counted = (n, one, many = `${one}s`) => `${n} ${n === 1 ? one : many}`;
+export const counted = (n, one, many = `${one}s`) => `${n.toLocaleString('en')} ${n === 1 ? one : many}`;
 
 /** @param {ArrayLike<number>} values */
 function meanOf(values) {
@@ -112,14 +112,15 @@ function matchingLegend({ frame, palette }) {
 /** @param {Scene} scene */
 function valenceLegend({ frame, palette }) {
   if (!frame?.quads?.quads.length) return null;
-  const { excess, valence } = frame.quads;
-  const used = valence.filter((count) => count > 0).length;
-  const regular = excess.filter((e, v) => e === 0 && valence[v] > 0).length;
-  const items = [words(`${short(100 * regular / used)} % of ${used} are regular`)];
+  const { excess, valence, boundaryNodes } = frame.quads;
+  const inside = valence.subarray(boundaryNodes), regular = inside.filter((count) => count === 4).length;
+  const items = inside.length > 0 ? [words(`${(100 * regular / inside.length).toFixed(1)} % of ${inside.length.toLocaleString('en')} inside are regular`)] : [];
   for (const kind of [-2, -1, 1, 2]) {
-    const count = excess.filter((e) => Math.max(-2, Math.min(2, e)) === kind).length;
+    const ofKind = (/** @type {Int32Array | Int8Array} */ some) => some.filter((e) => Math.max(-2, Math.min(2, e)) === kind).length;
+    const count = ofKind(excess), along = ofKind(excess.subarray(0, boundaryNodes));
     const { shape, colour, text } = markOf(palette, kind);
-    if (count > 0) items.push({ kind: 'mark', shape, colour, hollow: false, text: `${count} with ${text}` });
+    const where = along === 0 ? '' : `, ${along === count ? 'all' : along.toLocaleString('en')} on the boundary`;
+    if (count > 0) items.push({ kind: 'mark', shape, colour, hollow: false, text: `${count.toLocaleString('en')} with ${text}${where}` });
   }
   return items;
 }

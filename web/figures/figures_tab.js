@@ -2,7 +2,8 @@
 /** @import { App } from '../app' */
 /** @import { Run } from '../types' */
 /** @import { Figures } from './statistics.js' */
-import { h, setText } from '../panels/dom.js';
+import { createSideChoice } from '../compare/sides.js';
+import { h, setText, withSubscripts } from '../panels/dom.js';
 import { stageName } from '../run/words.js';
 import { createBars, createHistogram } from './bars.js';
 import { createCurve } from './curve.js';
@@ -15,12 +16,12 @@ export function installFiguresTab(app) {
   const about = h('h2', { className: 'figures-of' });
   const hash = h('code', { title: 'Equal meshes have equal fingerprints, here and on the command line.' });
   const parts = [createCurves(app), createNumbers(), createQuality(), createTimes()];
-  const body = app.tabs.add('figures', 'Figures', about, ...parts.map(({ element }) => element),
+  const body = app.tabs.add('figures', 'Figures', createSideChoice(app), about, ...parts.map(({ element }) => element),
     h('p', { className: 'quiet hash' }, 'Fingerprint ', hash));
   const refresh = () => {
     if (body.hidden) return;
-    const { run } = app.runner;
-    const { freshness } = app.scene();
+    const { runner: { run }, scene } = app.sides.chosen;
+    const { freshness } = scene();
     const figures = figuresOf(run);
     setText(about, titleOf(run, figures, freshness !== 'current'));
     body.classList.toggle('out-of-date', freshness !== 'current');
@@ -29,6 +30,7 @@ export function installFiguresTab(app) {
   };
   app.runner.subscribe(refresh);
   app.store.subscribe(refresh);
+  app.sides.subscribe(refresh);
   new MutationObserver(refresh).observe(body, { attributeFilter: ['hidden'] });
   refresh();
 }
@@ -41,14 +43,14 @@ function titleOf({ frame }, { final }, old) {
 }
 
 /** @param {App} app */
-function createCurves({ runner }) {
-  const scrub = createScrub(runner);
-  const energy = createCurve({ name: 'Energy E',
-    help: 'The L_p energy of the cells, without unit. Point at the curve to see the cells at that iteration.' }, scrub);
+function createCurves({ sides }) {
+  const scrub = createScrub(() => sides.chosen.runner);
+  const energy = createCurve({ name: 'Energy F',
+    help: 'The Lp energy of the cells, without unit. Point at the curve to see the cells at that iteration.' }, scrub);
   const slope = createCurve({ name: 'Slope ‖g‖, logarithmic', log: true,
     help: 'How steeply the energy still falls at each iteration, without unit.' }, scrub);
-  const none = h('p', { className: 'quiet' }, 'This run has no L_p iterations: its first points are aligned already. '
-    + 'Choose isotropic first points in the Mesh tab to see cells settle.');
+  const none = h('p', { className: 'quiet' }, ...withSubscripts('This run has no L_p iterations: its first points are aligned already. '
+    + 'Choose isotropic first points in the Mesh tab to see cells settle.'));
   const curves = h('div', null, energy.element, slope.element);
   /** @param {Figures} _  @param {Run} run */
   function show(_, run) {

@@ -28,7 +28,7 @@ const quality = [
     help: 'The squareness of the worst quad.' },
   { key: 'etaP5', name: 'Squareness, worst twentieth', symbol: 'η 5 %', of: (f) => f.etaP5, write: three,
     help: 'One quad in twenty is less square than this.' },
-  { key: 'fourValentPercent', name: 'Regular vertices', of: (f) => f.fourValentPercent, write: percent,
+  { key: 'fourValentPercent', name: 'Regular vertices inside', of: (f) => f.fourValentPercent, write: percent,
     help: 'Interior vertices where four quads meet, as on a chessboard.' },
   { key: 'tau', name: 'Right angles before merging', symbol: 'τ', of: (f) => f.tau, write: three,
     help: 'How much the triangles look like halves of squares (Eq. 2 of the paper): 1 is perfect.' },
@@ -42,8 +42,8 @@ const counts = [
   { key: 'vertices', name: 'Vertices', of: (f) => f.vertices, write: count, help: 'All points of the mesh.' },
   { key: 'boundaryNodes', name: 'Boundary nodes', of: (f) => f.boundaryNodes, write: count,
     help: 'Points on outlines, holes and lines.' },
-  { key: 'irregular', name: 'Irregular vertices', of: (f) => f.irregular, write: count,
-    help: 'Interior vertices where other than four quads meet.' },
+  { key: 'irregular', name: 'Irregular vertices inside', of: (f) => f.irregular, write: count,
+    help: 'Interior vertices where other than four quads meet. Layers marks those on the boundary, too.' },
   { key: 'singularities', name: 'Singularities', of: (f) => f.singularities, write: count,
     help: 'Points where the cross field has no direction; irregular vertices belong there.' },
 ];
@@ -51,8 +51,8 @@ const counts = [
 /** @type {Kind[]} */
 export const kinds = [
   ...quality, ...counts,
-  { key: 'energy', name: 'Energy', symbol: 'E', of: (f) => f.energy, write: digits,
-    help: 'The L_p energy of the cells, without unit: what the iterations make small.' },
+  { key: 'energy', name: 'Energy', symbol: 'F', of: (f) => f.energy, write: digits,
+    help: 'The Lp energy of the cells, without unit: what the iterations make small.' },
   { key: 'gradientNorm', name: 'Slope of the energy', symbol: '‖g‖', of: (f) => f.gradientNorm, write: digits,
     help: 'How steeply the energy still falls, without unit.' },
   { key: 'p10', name: 'Size, shortest tenth', of: (f) => f.size?.p10, write: three,
@@ -66,8 +66,8 @@ export const kinds = [
 export function createNumbers(shown = kinds) {
   const rows = shown.map((kind) => {
     const value = h('dd', { className: 'numbers', 'data-figure': kind.key });
-    const symbol = kind.symbol ? h('i', null, ` ${kind.symbol}`) : null;
-    const row = h('div', { title: kind.help }, h('dt', null, kind.name, symbol), value);
+    const symbol = kind.symbol ? h('i', null, kind.symbol) : null;
+    const row = h('div', { title: kind.help }, h('dt', null, kind.name, symbol && ' ', symbol), value);
     return { kind, value, row };
   });
   const element = h('dl', { className: 'numbers-list' }, ...rows.map(({ row }) => row));

@@ -1,6 +1,7 @@
 // The Layers tab: every layer with its key, its button and what its colours mean just now.
 /** @import { App } from '../app' */
 /** @import { LayerName } from '../types' */
+import { createSideChoice } from '../compare/sides.js';
 import { legendOf } from '../draw/legend.js';
 import { h } from '../panels/dom.js';
 import { atNextPicture } from '../panels/next_picture.js';
@@ -9,8 +10,8 @@ import { inOrder, layerNames } from './names.js';
 
 /** @param {App} app */
 export function installLayers(app) {
-  const { actions, announce, scene, store, runner, tabs, themes } = app;
-  const shown = () => scene().layers;
+  const { actions, announce, sides, store, runner, tabs, themes } = app;
+  const shown = () => sides.chosen.scene().layers;
 
   /** @param {LayerName} name  @param {string} title */
   function toggle(name, title) {
@@ -33,7 +34,7 @@ export function installLayers(app) {
     })));
 
   const rows = layerNames.map((layer) => ({ ...layer, legend: h('div', { className: 'legend' }) }));
-  tabs.add('layers', 'Layers',
+  tabs.add('layers', 'Layers', createSideChoice(app),
     h('div', { className: 'layers-head buttons' }, 
       actions.button('layer.auto', { labelled: true, title: 'Show what tells most at each stage of the run' }),
       actions.button('view.inspect', {
@@ -46,11 +47,12 @@ export function installLayers(app) {
         legend))));
 
   const refresh = atNextPicture(() => {
-    const now = scene();
+    const now = sides.chosen.scene();
     for (const { name, legend } of rows) showLegend(legend, now.layers.has(name) ? legendOf(name, now) : []);
   });
   store.subscribe(refresh);
   runner.subscribe(refresh);
+  sides.subscribe(refresh);
   themes.subscribe(refresh);
   refresh();
 }

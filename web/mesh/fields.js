@@ -2,7 +2,7 @@
 // back. A field is {element, show}: `show` puts the option's value into it.
 /** @import { OptionInfo } from 'lpquad' */
 /** @import { Value } from './options.js' */
-import { h, setText } from '../panels/dom.js';
+import { h, setText, withSubscripts } from '../panels/dom.js';
 import { icon } from '../panels/icons.js';
 import { inWords, nameOfOption, numberOf, problemWith, rangeInWords } from './options.js';
 
@@ -17,7 +17,7 @@ export function frame(info, give, /** @type {Node[]} */ ...controls) {
   const reset = h('button', { type: 'button', className: 'reset', title: `Back to ${inDefault(info)}`,
     'aria-label': `${name}: back to ${inDefault(info)}`, onclick: () => give(info.default) }, icon('again'));
   const range = rangeInWords(info);
-  const help = h('p', { className: 'help', id: `help-${info.name}` }, info.help, range && ` (${range})`);
+  const help = h('p', { className: 'help', id: `help-${info.name}` }, ...withSubscripts(info.help), range && ` (${range})`);
   const title = h('span', { id: `name-${info.name}`, className: 'option-name' }, name);
   const element = h('div',
     { className: 'option', role: 'group', 'aria-labelledby': `name-${info.name}`, 'data-option': info.name },

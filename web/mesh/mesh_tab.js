@@ -1,7 +1,7 @@
 // The Mesh tab: what the mesher is told. Options that matter most have a control of their own.
 /** @import { App } from '../app' */
 /** @import { MakeField } from './form.js' */
-import { h } from '../panels/dom.js';
+import { h, withSubscripts } from '../panels/dom.js';
 import { icon } from '../panels/icons.js';
 import { areaOf } from '../run/preview.js';
 import { createChoices, createNumber, createSlider, frame } from './fields.js';
@@ -27,8 +27,8 @@ function normField(info, give) {
   const number = createNumber(info, give);
   const { element, changed } = frame(info, give,
     h('div', { className: 'with-ball' }, ball.element, h('div', null, choices.element, number.element)),
-    h('p', { className: 'help' }, 'All points at distance 1 in the L_p norm, turned to the cross of the field. '
-      + 'The larger p, the squarer the cells become.'));
+    h('p', { className: 'help' }, ...withSubscripts('All points at distance 1 in the L_p norm, turned to the cross of the field. '
+      + 'The larger p, the squarer the cells become.')));
   return { element, show: (value) => {
     ball.show(Number(value));
     choices.show(value);

@@ -36,7 +36,7 @@ export function createBall() {
   const show = (/** @type {number} */ p) => {
     ball.setAttribute('d', path(unitBall(p, turn), 24));
     const shape = p === 2 ? 'a circle' : 'a rounded square';
-    element.setAttribute('aria-label', `Unit ball of the L_p norm for p = ${p}, turned to a cross: ${shape}`);
+    element.setAttribute('aria-label', `Unit ball of the Lp norm for p = ${p}, turned to a cross: ${shape}`);
   };
   return { element, show };
 }

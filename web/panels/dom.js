@@ -30,6 +30,12 @@ export function s(name, attributes, /** @type {(Node | string | false)[]} */ ...
   return element;
 }
 
+/** Text in which L_p has a lower p, as elements. @param {string} text  @returns {(string | Node)[]} */
+export const withSubscripts = (text) => text.split(/(?<=\bL)_(p)\b/).map((part, i) => (i % 2 === 1 ? h('sub', null, part) : part));
+
+/** The same where there are only letters: tooltips, and what is spoken. @param {string} text */
+export const withoutSubscripts = (text) => text.replace(/(?<=\bL)_(?=p\b)/g, '');
+
 /** Sets only what differs: screen readers speak at every change. @param {Element} element @param {string} text */
 export function setText(element, text) {
   if (element.textContent !== text) element.textContent = text;
