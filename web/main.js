@@ -2,6 +2,7 @@
 /** @import { App } from './app' */
 /** @import { Scene } from './types' */
 import { installCompare } from './compare/compare.js';
+import { Sides } from './compare/sides.js';
 import { dark, light } from './draw/palette.js';
 import { installFiguresTab } from './figures/figures_tab.js';
 import { handedFile } from './files/hand_over.js';
@@ -13,6 +14,7 @@ import { Themes } from './header/theme.js';
 import { installInspector } from './layers/inspector.js';
 import { installLayers } from './layers/layers.js';
 import { installLearn } from './learn/learn.js';
+import { installWelcome } from './learn/welcome.js';
 import { installMeshTab } from './mesh/mesh_tab.js';
 import { Actions } from './panels/actions.js';
 import { setText } from './panels/dom.js';
@@ -54,7 +56,7 @@ const notify = createNotices(element('stage'));
 /** @type {App} */
 const app = {
   store, runner, actions, stage, tabs, themes, scene,
-  led: () => [runner],
+  sides: new Sides({ name: '', runner, scene }), led: () => app.sides.all.map((side) => side.runner),
   problemsOf: () => [], openFiles: async () => {}, openers: [], recordings: [],
   announce: (text) => setText(element('announcer'), text),
   notify,
@@ -88,17 +90,22 @@ runner.subscribe(() => {
   stage.invalidate();
   actions.refresh();
 });
+tabs.subscribe(() => actions.refresh());
 themes.subscribe(() => stage.invalidate());
 actions.listen(window);
 Object.assign(globalThis, { playground: app });  // for the browser's console
 addEventListener('hashchange', async ({ newURL }) => {
   const { project, place, notice } = await openFragment(new URL(newURL).hash);  // the address bar may follow the project by now
   if (notice) app.notify(notice);
+  const { chapter, inTour } = app.keeping;
+  if (!notice && !place.chapter) app.keeping.close();
   if (project) store.change('Open a link', project);
+  else if (inTour && !location.hash && !place.chapter) store.change('Leave the tour', chapter.before);  // Back, and the drawing was too much for an address
   if (project && place.tick !== undefined) void runner.seek(place.tick);
   openChapter(place.chapter, project === null);
 });
 if (opened.notice) app.notify(opened.notice);
+if (opened.project === null && !opened.place.chapter && !handed) installWelcome(app);
 startRun(store.project, 'play');
 if (opened.place.tick !== undefined) void runner.seek(opened.place.tick);
 openChapter(opened.place.chapter, opened.project === null);

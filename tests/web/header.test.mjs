@@ -43,6 +43,21 @@ test('the help lists every action with its keys, finds them, and runs them', asy
   await page.context().close();
 });
 
+test('the help has words for every group, and a key does one thing at a time', async () => {
+  const page = await playground.open();
+  await page.keyboard.press('?');
+  const headings = await page.locator('dialog h3').allTextContents();
+  for (const heading of headings) assert.match(heading, /^[A-Z]/);
+  assert.equal(new Set(headings).size, headings.length);
+  assert.equal(await page.locator('dialog li', { hasText: /^Next vertex/ }).locator('kbd').textContent(), 'N');
+  const shared = await page.evaluate(() => {
+    const { actions } = globalThis.playground, keys = actions.all.flatMap(({ keys: own = [] }) => own);
+    return keys.filter((key, i) => keys.indexOf(key) !== i);
+  });
+  assert.deepEqual(shared, ['N']);  // the page of the tour, where that is read, and elsewhere the vertex
+  await page.context().close();
+});
+
 for (const [place, parts] of [['', ['HEADER', 'NAV', 'MAIN', 'FOOTER', 'ASIDE']], ['space.html', ['HEADER', 'MAIN', 'FOOTER', 'ASIDE']]])
   test(`F6 goes round the parts of the page, Shift+F6 back: ${place || 'plane'}`, async () => {
     const page = await playground.open({ hash: place });
@@ -69,3 +84,21 @@ test('no button lacks a name or shows a character for a picture', async () => {
   assert.deepEqual(odd, []);
   await page.context().close();
 });
+
+for (const place of ['', 'space.html'])
+  for (const [width, height] of [[720, 450], [740, 360], [360, 740], [360, 640], [1024, 600], [640, 400], [320, 256]])
+    test(`there is room to look at the mesh: ${place || 'plane'}, ${width} × ${height}`, async () => {
+      const page = await playground.open({ hash: place, width, height });
+      await page.locator('.stage-name', { hasText: /./ }).waitFor();
+      const [stage, panel] = await page.evaluate(() => ['stage', 'panel'].map((id) => document.getElementById(id).getBoundingClientRect().toJSON()));
+      assert.ok(stage.height >= 0.28 * height && stage.height >= 190 && stage.width >= 300, `stage ${stage.width} × ${stage.height}`);
+      assert.ok(panel.height >= 150 && panel.width >= 200, `panel ${panel.width} × ${panel.height}`);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+      if (height > 300) assert.ok(await page.evaluate(() => document.documentElement.scrollHeight <= innerHeight));
+      if (width === 1024) {
+        const tops = (selector) => page.locator(selector).evaluateAll((all) => new Set(all.map((one) => one.getBoundingClientRect().top)).size);
+        assert.equal(await tops('[role=tab]'), 1);
+        assert.ok((await page.locator('#timeline').boundingBox()).height < 60);
+      }
+      await page.context().close();
+    });

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { chapters } from '../../web/learn/chapters.js';
 import { tickOf } from '../../web/learn/figure.js';
-import { startPlayground } from './support.mjs';
+import { finished, startPlayground } from './support.mjs';
 
 test('every chapter has 80 to 120 words, a formula in MathML, its words, and its source', () => {
   assert.equal(chapters.length, 7);
@@ -82,5 +82,119 @@ test('watching plays the figure from its start', async () => {
   await page.getByRole('button', { name: 'Watch it happen' }).click();
   await page.waitForFunction(() => globalThis.playground.runner.run.phase === 'done');
   assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+const projectOf = (page) => page.evaluate(() => globalThis.playground.store.project);
+const chapterOpen = (page, k) => page.getByRole('heading', { name: chapters[k].title }).waitFor();
+
+test('the tour takes its layers and its address with it', async () => {
+  const page = await playground.open();
+  await page.getByRole('tab', { name: 'Learn' }).click();
+  for (const leave of ['preset.gear', 'sketch.empty']) {
+    await page.getByRole('link', { name: 'Which way is up?' }).click();
+    await shown(page, chapters[4]);
+    await page.evaluate((id) => globalThis.playground.actions.run(id), leave);
+    assert.equal((await projectOf(page)).layers, 'auto', leave);
+    await page.waitForFunction(() => location.hash.includes('preset=gear') || location.hash === '');
+    assert.doesNotMatch(await page.evaluate(() => location.hash), /chapter|layers/, leave);
+    await page.getByRole('tab', { name: 'Learn' }).click();
+  }
+  await page.keyboard.press('Control+z');  // the figure is there again, and so is its address
+  await page.waitForFunction(() => location.hash === '#chapter=field');
+  await page.evaluate(() => globalThis.playground.actions.run('layer.sizes'));
+  await page.evaluate(() => globalThis.playground.store.change('Own', ({ drawing }) => ({ preset: '', drawing: { ...drawing } })));
+  await page.waitForFunction(() => location.hash.includes('data='));
+  assert.doesNotMatch(await page.evaluate(() => location.hash), /chapter/);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('layers chosen before the tour come back after it', async () => {
+  const page = await playground.open({ hash: '#preset=square&layers=quads' });
+  await page.evaluate(() => globalThis.playground.actions.run('learn.start'));
+  await page.keyboard.press('n');
+  await shown(page, chapters[1]);
+  await page.evaluate(() => globalThis.playground.actions.run('preset.l'));
+  assert.deepEqual((await projectOf(page)).layers, ['quads']);
+  await page.context().close();
+});
+
+test('N chooses a vertex, and turns the page only where the tour is read', async () => {
+  const page = await playground.open({ hash: '#preset=square' });
+  await page.getByRole('button', { name: 'Next vertex' }).click();
+  await page.keyboard.press('n');
+  await page.locator('.hint', { hasText: 'Vertex 2 of 4' }).waitFor();
+  await page.keyboard.press('p');
+  await page.locator('.hint', { hasText: 'Vertex 1 of 4' }).waitFor();
+  await page.getByRole('tab', { name: 'Learn' }).click();
+  await page.keyboard.press('n');  // no chapter is open yet
+  assert.equal((await projectOf(page)).preset, 'square');
+  await page.getByRole('button', { name: 'Start the tour' }).click();
+  await chapterOpen(page, 0);
+  await page.keyboard.press('n');
+  await chapterOpen(page, 1);
+  await page.getByRole('tab', { name: 'Layers' }).click();
+  await page.keyboard.press('n');
+  assert.equal(await page.evaluate(() => globalThis.playground.tabs.current), 'layers');
+  await page.context().close();
+});
+
+test('the focus goes to the heading of a chapter, and Back to the chapter before', async () => {
+  const page = await playground.open({ hash: '#preset=square' });
+  await finished(page);
+  await page.getByRole('tab', { name: 'Learn' }).click();
+  await page.getByRole('button', { name: 'Start the tour' }).click();
+  for (const k of [0, 1]) {
+    assert.equal(await page.evaluate(() => document.activeElement.textContent), chapters[k].title);
+    await page.waitForFunction((hash) => location.hash === hash, `#chapter=${chapters[k].id}`);
+    if (k === 0) await page.getByRole('button', { name: 'Next chapter' }).click();
+  }
+  await page.goBack();
+  await chapterOpen(page, 0);
+  await page.goBack();
+  await page.waitForFunction(() => globalThis.playground.store.project.preset === 'square');
+  await page.goForward();
+  await chapterOpen(page, 0);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('what is watched can be seen at every stage, and the figure comes back', async () => {
+  const page = await playground.open({ hash: '#chapter=matching' });
+  await shown(page, chapters[5]);
+  await page.getByRole('button', { name: 'Watch it happen' }).click();
+  assert.equal((await projectOf(page)).layers, 'auto');
+  await page.waitForFunction(() => globalThis.playground.runner.run.phase === 'done');
+  await page.getByRole('button', { name: 'Show its figure' }).click();
+  await page.waitForFunction(() => {
+    const { store, runner: { run } } = globalThis.playground;
+    return String(store.project.layers) === 'boundary,matching' && run.frame.stage === 'clean' && run.frame.matching?.triangles.length > 0;
+  });
+  await page.context().close();
+});
+
+test('the paper can be found, from the tour and from the help', async () => {
+  const page = await playground.open();
+  await page.getByRole('tab', { name: 'Learn' }).click();
+  const link = page.locator('#panel-learn .reference a');
+  assert.equal(await link.getAttribute('href'), 'https://doi.org/10.1007/s00366-012-0290-x');
+  assert.match(await page.locator('#panel-learn .reference').textContent(), /Carrier Baudouin.*2012.*Lp norm/);
+  await page.keyboard.press('?');
+  assert.equal(await page.locator('dialog .reference a').isVisible(), true);
+  await page.context().close();
+});
+
+test('the first visit says what the page is; later ones do not', async () => {
+  const page = await playground.open();
+  await finished(page);
+  const { etaMin } = await page.evaluate(() => globalThis.playground.runner.run.result.report.quality);
+  assert.ok(etaMin > 0.5, `the first mesh has a quad of ${etaMin}`);
+  await page.getByRole('button', { name: /Take the tour/ }).click();
+  await chapterOpen(page, 0);
+  await page.goto('about:blank');
+  await page.goto(`${playground.address}#preset=square`);
+  await finished(page);
+  assert.equal(await page.getByRole('button', { name: /Take the tour/ }).count(), 0);
   await page.context().close();
 });

@@ -356,6 +356,78 @@ test('a file that cannot be read leaves the drawing and says why', async () => {
   await close(page);
 });
 
+test('an opened file keeps its name, on the page and in what is exported', async () => {
+  const page = await playground.open();
+  await finished(page);
+  await drop(page, 'part.svg', svg);
+  await page.locator('#project-name', { hasText: 'part.svg' }).waitFor();
+  await finished(page);
+  await page.evaluate(() => globalThis.playground.store.change('Edit', ({ drawing }) => ({ preset: '', drawing: { ...drawing } })));
+  assert.equal(await page.textContent('#project-name'), 'part.svg');
+  const [file] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Control+s')]);
+  assert.equal(file.suggestedFilename(), 'part.lpquad.json');
+  await page.click('[data-action="preset.gear"]');
+  assert.equal(await page.textContent('#project-name'), 'Gear');
+  await close(page);
+});
+
+test('a file without outlines is refused as a file: nothing offers to replace the drawing', async () => {
+  const page = await withPreset('square');
+  await drop(page, 'text.svg', '<svg xmlns="http://www.w3.org/2000/svg"><text>a</text></svg>');
+  const bar = page.locator('.error-bar');
+  await bar.getByText('text.svg').waitFor();
+  assert.doesNotMatch(await bar.textContent(), /yet/);
+  assert.deepEqual(await bar.getByRole('button').evaluateAll((all) => all.map((one) => one.ariaLabel ?? one.textContent)), ['Open another file', 'Close this message']);
+  assert.equal(await page.evaluate(() => globalThis.playground.store.project.preset), 'square');
+  await close(page);
+});
+
+test('of a drawing that was replaced nothing stays on the stage; of one that was edited the mesh does', async () => {
+  const page = await withPreset('gear');
+  const frame = () => page.evaluate(() => globalThis.playground.scene().frame !== null);
+  const cross = () => page.evaluate(() => globalThis.playground.store.change('Cross', ({ drawing }) => ({ preset: '', drawing: {
+    ...drawing, regions: [{ name: '', loops: [[[0, 0], [1, 1], [1, 0], [0, 1]]] }] } })));
+  await cross();
+  await page.locator('.error-bar').waitFor();
+  assert.equal(await frame(), true);
+  await undo(page);
+  await finished(page);
+  await page.click('[data-action="sketch.empty"]');
+  assert.equal(await frame(), false);
+  await cross();
+  assert.equal(await frame(), false);
+  await drop(page, 'part.svg', svg);
+  await finished(page);
+  await drop(page, 'crossed.json', JSON.stringify({ loops: [[[0, 0], [1, 1], [1, 0], [0, 1]]] }));
+  await page.locator('#project-name', { hasText: 'crossed.json' }).waitFor();
+  assert.equal(await frame(), false);
+  await close(page);
+});
+
+test('the message about an error is not over its place, and complete on a phone', async () => {
+  for (const [width, height] of [[1280, 800], [360, 740], [740, 360]]) {
+    const page = await withPreset('square', { width, height });
+    for (const y of [0.1, 0.9]) {  // of the crossing
+      await page.evaluate((at) => {
+        const { stage, store } = globalThis.playground;
+        store.change('Cross', { preset: '', drawing: { regions: [{ name: '', loops: [[[0, 0], [1, 0], [1, 1], [0, 1], [0.4, at - 0.05], [0.6, at + 0.05], [0.4, at + 0.05], [0.6, at - 0.05]]] }], polylines: [], points: [] } });
+        stage.fit();
+      }, y);
+      const bar = page.locator('.error-bar');
+      await bar.waitFor();
+      await page.waitForTimeout(200);
+      const box = await bar.boundingBox(), [px, py] = await onScreen(page, 0.5, y);
+      assert.ok(px < box.x || px > box.x + box.width || py < box.y || py > box.y + box.height, `${width} ${y}`);
+      assert.equal(await bar.locator('.details').isVisible(), true);
+      for (const button of await bar.getByRole('button').all()) {
+        const { x, width: wide } = await button.boundingBox();
+        assert.ok(x >= 0 && x + wide <= width, await button.textContent());
+      }
+    }
+    await close(page);
+  }
+});
+
 test('by touch: a finger drags a vertex', async () => {
   const page = await withPreset('square', { width: 360, height: 740, touch: true });
   const [x, y] = await onScreen(page, 1, 1);

@@ -6,12 +6,14 @@ import { isProjectText, readProject } from '../state/project_file.js';
 const mostBytes = 2 ** 26;
 
 /** @param {App} app */
-export function installOpeningProjects({ openers, store, stage, notify, announce }) {
+export function installOpeningProjects({ openers, keeping, store, stage, notify, announce }) {
   openers.push(async ([file]) => {
     if (file === undefined || !file.name.toLowerCase().endsWith('.json') || file.size > mostBytes) return false;
     if (!isProjectText(await file.slice(0, 200).text())) return false;
     try {
-      store.change(`Open ${file.name}`, readProject(await file.text()));
+      const project = readProject(await file.text());
+      keeping.close();
+      store.change(`Open ${file.name}`, project);
       stage.fit();
       announce(`${file.name} opened`);
     } catch (error) {

@@ -2,23 +2,25 @@
 // the keyboard reaches even those without a key.
 /** @import { Action, Actions } from '../panels/actions.js' */
 import { canRun } from '../panels/actions.js';
+import { paperReference } from '../learn/paper.js';
 import { h } from '../panels/dom.js';
 import { icon } from '../panels/icons.js';
 
 /** Titles by the first part of an action's id; others are shown as they are. @type {Record<string, string>} */
 const rooms = {
-  edit: 'Editing', tool: 'Tools', draw: 'Drawing', sketch: 'Drawing', run: 'Running', view: 'Looking', layer: 'Layers', mesh: 'Mesh',
+  edit: 'Editing', tool: 'Tools', draw: 'Drawing', sketch: 'Drawing', snap: 'Drawing', vertex: 'Vertices and outlines', outline: 'Vertices and outlines',
+  preset: 'Domains to begin with', run: 'Running', view: 'Looking', layer: 'Layers', mesh: 'Mesh',
   compare: 'Comparing', figures: 'Figures', figure: 'Figures', file: 'Files', learn: 'Learning', panel: 'Panels', page: 'The page',
 };
 
-/** @param {Actions} actions  @param {string} about  what the page is */
+/** @param {Actions} actions  @param {string | Node} about  what the page is */
 export function createHelp(actions, about) {
   const list = h('div', { className: 'help-list' });
   const search = h('input', { type: 'search', id: 'help-search', 'aria-label': 'Find an action', placeholder: 'Find an action', oninput: () => filter(list, search.value) });
   const close = h('button', { type: 'button', 'aria-label': 'Close', title: 'Close (Escape)', onclick: () => dialog.close() }, icon('close'));
   const dialog = h('dialog', { className: 'help', 'aria-labelledby': 'help-title', onclick: closeOutside },
     h('div', { className: 'dialog-head' }, h('h2', { id: 'help-title' }, 'Help'), close),
-    h('p', null, about), search, list);
+    h('p', null, about), search, list, paperReference());
   document.body.append(dialog);
   return {
     open: () => {

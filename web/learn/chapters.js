@@ -58,7 +58,7 @@ export const chapters = [
       Now move every point to where its own ground is easiest to reach, cut new cells, and repeat. That is Lloyd's old recipe.
       The sum in the formula adds up how far all ground is from its point, and every round makes it smaller. With ordinary
       distance, p = 2, cells become round, and round things pack like honeycomb. Between honeycomb cells lie triangles with three
-      equal angles. They are pretty, but two of them make a slanted quad. Dark cells are the ones that cost most.`,
+      equal angles. They are pretty, but two of them make a slanted quad. Blue cells cost least, warm colours most.`,
     formula: `<mi>F</mi><mo>=</mo><munderover><mo>∑</mo><mrow><mi>i</mi><mo>=</mo><mn>1</mn></mrow><mi>N</mi></munderover>
       <msub><mo>∫</mo><msub><mi>R</mi><mi>i</mi></msub></msub><mi>ρ</mi><mo>(</mo><mi>y</mi><mo>)</mo>
       <msubsup><mrow><mo>‖</mo><mi>M</mi><mo>(</mo><mi>y</mi><mo>−</mo><msub><mi>x</mi><mi>i</mi></msub><mo>)</mo><mo>‖</mo></mrow><mi>p</mi><mi>p</mi></msubsup><mi>d</mi><mi>y</mi>`,
@@ -91,7 +91,7 @@ export const chapters = [
       <msup><mo>∇</mo><mn>2</mn></msup><mi>a</mi><mo>=</mo><msup><mo>∇</mo><mn>2</mn></msup><mi>b</mi><mo>=</mo><mn>0</mn>`,
     spoken: 'z is e to the i four theta, with real part a and imaginary part b; the Laplacian of a and that of b are zero inside.',
     source: `${paper}, section 4`,
-    project: figure({ seeds: 'isotropic', method: 'paper' }, ['boundary', 'crosses']), at: { stage: 'optimise', iteration: 0 },
+    project: figure({ seeds: 'isotropic', method: 'paper' }, ['boundary', 'crosses']), at: { stage: 'seeds' },
   },
   {
     id: 'matching', title: 'Triangles find partners',

@@ -14,6 +14,13 @@ export function tickOf(history, { stage, iteration }) {
   return last && last.tick - (iteration === undefined ? 0 : Math.max(0, last.iteration - iteration));
 }
 
+/** Plays the run from its start, with what tells most at each stage: a chapter's own layers show one of them.
+ * @param {Pick<App, 'store' | 'runner'>} app  @param {Chapter} chapter */
+export function watch({ store, runner }, { title }) {
+  store.change(`Watch: ${title}`, { layers: 'auto' });
+  void runner.seek(0).then(() => runner.play());
+}
+
 /** @param {Pick<App, 'store' | 'runner'>} app  @param {Chapter} chapter */
 export function showFigure({ store, runner }, { title, project, at }) {
   store.change(`Tour: ${title}`, project);

@@ -3,16 +3,17 @@
 /** @import { Chapter } from './chapters.js' */
 import { h } from '../panels/dom.js';
 import { chapters } from './chapters.js';
-import { showFigure } from './figure.js';
+import { showFigure, watch } from './figure.js';
+import { paperReference } from './paper.js';
 
 /** @param {App} app */
 export function installLearn(app) {
-  const { actions, tabs, runner } = app;
+  const { actions, keeping, store, tabs } = app;
   let at = -1;
   const list = h('ol', { className: 'chapters' }, ...chapters.map(({ id, title }, k) =>
     h('li', null, h('a', { href: `#chapter=${id}`, onclick: (/** @type {MouseEvent} */ event) => follow(event, k) }, title))));
   const page = h('article', { 'aria-live': 'off' });
-  const body = tabs.add('learn', 'Learn', page, h('nav', { 'aria-label': 'Chapters' }, list));
+  const body = tabs.add('learn', 'Learn', page, h('nav', { 'aria-label': 'Chapters' }, list), paperReference());
 
   /** @param {MouseEvent} event  @param {number} k */
   function follow(event, k) {
@@ -24,26 +25,31 @@ export function installLearn(app) {
   /** @param {number} k  @param {{figure?: boolean}} [how]  without its figure: the link brought another */
   function open(k, { figure = true } = {}) {
     at = k;
-    const chapter = chapters[k];
+    const chapter = chapters[k], { project } = store;
+    const focused = body.contains(document.activeElement);
     tabs.open('learn');
     page.replaceChildren(...pageOf(chapter, k, app));
+    if (focused) page.querySelector('h2')?.focus({ preventScroll: true });  // what had the focus is gone
     [...list.children].forEach((item, i) => item.firstElementChild?.toggleAttribute('aria-current', i === k));
     if (figure) showFigure(app, chapter);
-    app.keeping.open(chapter.id, figure ? app.store.project : null);
+    keeping.open(chapter.id, figure ? project : null);
     app.announce(`Chapter ${k + 1} of ${chapters.length}: ${chapter.title}`);
     actions.refresh();
     body.scrollTop = 0;
   }
 
+  const reading = () => at >= 0 && tabs.current === 'learn';  // elsewhere a key must not take the drawing away
   actions.add(
-    { id: 'learn.next', label: 'Next chapter', icon: 'next', keys: ['N'], enabled: () => at < chapters.length - 1, run: () => open(at + 1) },
-    { id: 'learn.previous', label: 'Previous chapter', icon: 'previous', keys: ['Shift+N'], enabled: () => at > 0, run: () => open(at - 1) },
-    { id: 'learn.watch', label: 'Watch it happen', icon: 'play', enabled: () => at >= 0, run: () => void runner.seek(0).then(() => runner.play()) },
+    { id: 'learn.start', label: 'Start the tour', icon: 'next', run: () => open(0) },
+    { id: 'learn.next', label: 'Next chapter', icon: 'next', keys: ['N'], enabled: () => reading() && at < chapters.length - 1, run: () => open(at + 1) },
+    { id: 'learn.previous', label: 'Previous chapter', icon: 'previous', keys: ['Shift+N'], enabled: () => reading() && at > 0, run: () => open(at - 1) },
+    { id: 'learn.watch', label: 'Watch it happen', icon: 'play', enabled: () => keeping.inTour, run: () => watch(app, chapters[at]) },
+    { id: 'learn.figure', label: 'Show its figure', icon: 'again', enabled: () => at >= 0 && store.project !== keeping.chapter.figure, run: () => open(at) },
   );
   page.append(
     h('h2', null, 'From an outline to quads, in seven steps'),
     h('p', null, 'A short tour for those who have never meshed anything. Every step has a figure that you can play, change and undo; your drawing comes back with Undo.'),
-    h('div', { className: 'buttons' }, actions.button('learn.next', { text: 'Start the tour', className: 'primary' })));
+    h('div', { className: 'buttons' }, actions.button('learn.start', { text: 'Start the tour', className: 'primary' })));
 
   /** Opens a chapter by its name in a link. @param {string | undefined} id  @param {boolean} figure */
   return (id, figure) => {
@@ -59,10 +65,10 @@ function pageOf({ title, text, formula, spoken, source }, k, { actions }) {
   math.innerHTML = `<math display="block" aria-label="${spoken}">${calm}</math>`;  // ours, from chapters.js
   return [
     h('p', { className: 'quiet' }, `${k + 1} of ${chapters.length}`),
-    h('h2', null, title),
+    h('h2', { tabIndex: -1 }, title),
     h('p', null, text.replace(/\s+/g, ' ')),
     h('figure', null, math, h('figcaption', null, source)),
     h('div', { className: 'buttons' }, actions.button('learn.previous'), actions.button('learn.next', { labelled: true, className: 'primary' }),
-      actions.button('learn.watch', { labelled: true })),
+      actions.button('learn.watch', { labelled: true }), actions.button('learn.figure', { labelled: true })),
   ];
 }

@@ -28,7 +28,7 @@ import { icon } from './icons.js';
 export class Actions {
   /** @type {Map<string, Action>} */
   #actions = new Map();
-  /** @type {Map<string, Action>} */
+  /** Of several with the same key the last that is possible acts. @type {Map<string, Action[]>} */
   #byKey = new Map();
   /** @type {Set<() => void>} */
   #refreshers = new Set();
@@ -37,7 +37,7 @@ export class Actions {
   add(...actions) {
     for (const action of actions) {
       this.#actions.set(action.id, action);
-      for (const key of action.keys ?? []) this.#byKey.set(key, action);
+      for (const key of action.keys ?? []) this.#byKey.set(key, [...this.#byKey.get(key) ?? [], action]);
     }
   }
 
@@ -77,7 +77,7 @@ export class Actions {
   listen(target) {
     target.addEventListener('keydown', (raised) => {
       const event = /** @type {KeyboardEvent} */ (raised);
-      const action = this.#byKey.get(nameOf(event));
+      const all = this.#byKey.get(nameOf(event)), action = all?.findLast(canRun) ?? all?.[0];
       if (!action || event.defaultPrevented || keepsKey(event)) return;
       event.preventDefault();
       this.run(action.id);

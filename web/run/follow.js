@@ -9,6 +9,11 @@ import { Preview } from './preview.js';
 
 const rest = 250;  // milliseconds without a change
 
+/** Whether it is another drawing than before and not the same one, edited: the old mesh says nothing about it.
+ * @param {Project} project  @param {Project} before */
+export const isAnother = (project, before) => project.drawing.regions.length === 0 || project.name !== before.name
+  || (project.preset !== '' && project.preset !== before.preset);
+
 /**
  * What there is to show of a project, and whether it is its mesh.
  * @param {Project} project  @param {Run} run  @param {Preview['shown']} preview
@@ -30,23 +35,24 @@ export function installFollowing(app, preview) {
   let timer = /** @type {ReturnType<typeof setTimeout> | undefined} */ (undefined);
   let held = false;  // the run was stopped for a gesture, not by the person
 
-  /** @param {Project} project  @param {'play' | 'end'} going */
-  function runInFull(project, going) {
+  /** @param {Project} project  @param {'play' | 'end'} going  @param {boolean} [keep]  the old picture until there is a new one */
+  function runInFull(project, going, keep) {
     clearTimeout(timer);
     const { run } = runner;
     const same = run.project !== null && haveSameMesh(run.project, project) && run.phase !== 'cancelled';
     if (same && held) void runner.end();
-    if (!same) start(project, going);
+    if (!same) start(project, going, keep);
     held = false;
   }
 
-  /** @param {Project} project  @param {'play' | 'end'} going */
-  function start(project, going) {
+  /** @param {Project} project  @param {'play' | 'end'} going  @param {boolean} [keep] */
+  function start(project, going, keep = going === 'end') {
+    if (!keep) preview.clear();
     const [problem] = app.problemsOf(project.drawing);
-    if (problem) runner.refuse(project, problem);
+    if (problem) runner.refuse(project, problem, { keep });
     else {
       const open = app.recordings.find((recording) => haveSameMesh(recording.project, project))?.open;
-      void runner.load(project, { going: runner.still ? 'end' : going, keep: going === 'end', open });
+      void runner.load(project, { going: runner.still ? 'end' : going, keep, open });
     }
   }
 
@@ -68,7 +74,7 @@ export function installFollowing(app, preview) {
     const changed = !haveSameMesh(project, before);
     if (changed && store.gesture !== '') previewNow(project);
     else if (changed || store.gesture === '')
-      runInFull(project, project.preset !== '' && project.preset !== before.preset ? 'play' : 'end');
+      runInFull(project, project.preset !== '' && project.preset !== before.preset ? 'play' : 'end', !isAnother(project, before));
     if (project.layers !== before.layers) void runner.refresh();
   });
   runner.subscribe(({ phase, frameOf }) => {

@@ -108,11 +108,12 @@ export class Runner {
     return engine.start(/** @type {any} */ (domain), options);
   }
 
-  /** Instead of a run of a project that the mesher is not called with. @param {Project} project */
-  refuse(project, /** @type {NonNullable<Run['error']>} */ error) {
+  /** Instead of a run of a project that the mesher is not called with. @param {Project} project
+   * @param {NonNullable<Run['error']>} error  @param {{keep?: boolean}} [how]  `keep` the old picture */
+  refuse(project, error, { keep = true } = {}) {
     this.#abandon();
     this.#open = () => Promise.reject(Object.assign(new Error(error.message), error));
-    const { frame, frameOf } = this.run;
+    const { frame, frameOf } = keep ? this.run : nothing;
     this.#become({ ...nothing, phase: 'failed', project, frame, frameOf, error });
   }
 

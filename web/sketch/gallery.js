@@ -3,6 +3,7 @@
 /** @import { Preset } from './presets.js' */
 /** @import { Point, Project } from '../types' */
 import { h, s } from '../panels/dom.js';
+import { replaceProject } from '../state/replace.js';
 import { boxOfDrawing } from './model/drawing.js';
 import { presets } from './presets.js';
 
@@ -32,10 +33,10 @@ function thumbnail({ project }) {
 }
 
 /** @param {App} app */
-export function createGallery({ actions, store, stage, announce }) {
+export function createGallery(app) {
+  const { actions, store, announce } = app;
   const choose = (/** @type {Preset} */ { title, why, project }) => {
-    store.change(`Open ${title}`, { ...project, layers: store.project.layers, comparison: store.project.comparison });
-    stage.fit();
+    replaceProject(app, `Open ${title}`, { ...project, comparison: store.project.comparison });
     announce(`${title}. ${why}`);
   };
   for (const preset of presets)

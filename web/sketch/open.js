@@ -8,7 +8,7 @@ import { h } from '../panels/dom.js';
 import { droppedFiles } from '../files/dropped.js';
 import { createEngine } from '../run/engine.js';
 import { emptyDrawing, emptyProject } from '../state/project.js';
-import { titleOf } from './errors/words.js';
+import { replaceProject } from '../state/replace.js';
 import { diagonalOf } from './model/drawing.js';
 import { edgeLengths, median } from './model/geometry.js';
 
@@ -17,7 +17,7 @@ import { edgeLengths, median } from './model/geometry.js';
  * @typedef {(files: File[]) => Promise<boolean> | boolean} Opener
  */
 
-const mostBytes = 64 * 2 ** 20, mostPoints = 200000, patience = 20000;
+const mostBytes = 64 * 2 ** 20, mostPoints = 200000, patience = 20000, longestName = 200;
 const endings = ['.json', '.geojson', '.svg', '.poly', '.msh', '.dxf'];
 
 /** A mesh size for a domain that brings none: the spacing of its points within reason. @param {Drawing} drawing */
@@ -27,11 +27,18 @@ export function sensibleSize(drawing) {
   return Number(Math.min(diagonal / 40, Math.max(diagonal / 80, spacing)).toPrecision(2));
 }
 
-/** @param {ReadDomain} read  @returns {Project} */
-export function fromRead({ regions, polylines, points, h: given, sizes = [], guides = [], seedPoints = [] }) {
+/** @param {ReadDomain} read  @param {string} [name]  of the file  @returns {Project} */
+export function fromRead({ regions, polylines, points, h: given, sizes = [], guides = [], seedPoints = [] }, name = '') {
   const drawing = { regions, polylines, points };
   const size = given !== undefined && given > 0 ? given : sensibleSize(drawing);
-  return { ...emptyProject, drawing, options: { size }, sizes, guides, seedPoints };
+  return { ...emptyProject, name: name.slice(0, longestName), drawing, options: { size }, sizes, guides, seedPoints };
+}
+
+/** The title where a file is of no use: it speaks of the file, not of the drawing that stays. @param {string} code */
+function refusalOf(code) {
+  if (code === 'PARSE_ERROR') return 'This file cannot be read.';
+  if (code === 'IO_ERROR') return 'A file could not be read.';
+  return code === 'EMPTY' ? 'There is nothing to mesh in this file.' : 'This file cannot be used.';
 }
 
 /** @param {Drawing} drawing */
@@ -60,11 +67,9 @@ async function read(source, name) {
 export function installOpening(app, show) {
   const { store, stage, actions, announce } = app;
 
-  /** @param {ReadDomain} domain  @param {string} name */
-  function take(domain, name) {
-    const { layers, comparison } = store.project;
-    store.change(`Open ${name}`, { ...fromRead(domain), layers, comparison });
-    stage.fit();
+  /** @param {ReadDomain} domain  @param {string} name  @param {string} [title]  of the drawing */
+  function take(domain, name, title = name) {
+    replaceProject(app, `Open ${name}`, { ...fromRead(domain, title), comparison: store.project.comparison });
     announce(`${name} opened: ${pointCount(domain)} points`);
     if (domain.warnings.length > 0)
       show({ title: `${name} was opened, with changes.`, details: domain.warnings.map(({ message }) => message).join(' ') });
@@ -75,17 +80,17 @@ export function installOpening(app, show) {
     const { code: given, message, where = {} } = /** @type {any} */ (thrown);
     const code = typeof given === 'string' ? given : 'IO_ERROR';  // errors of the browser have numbers
     const line = where.line === undefined ? '' : ` (line ${where.line})`;
-    show({ title: titleOf(code), details: `${name}: ${message}${line}`, problem: { code, message, where: {} } });
+    show({ title: refusalOf(code), details: `${name}: ${message}${line}`, refused: true });
   }
 
-  /** @param {() => Promise<string | Uint8Array>} source  @param {string} name */
-  async function openSource(source, name) {
+  /** @param {() => Promise<string | Uint8Array>} source  @param {string} name  @param {string} [title]  of the drawing */
+  async function openSource(source, name, title) {
     try {
       announce(`Opening ${name}`);
       const domain = await read(await source(), name.includes('.') ? name : '');
       if (pointCount(domain) > mostPoints) throw Object.assign(
         new Error(`It has ${pointCount(domain)} points; ${mostPoints} can be edited here. The command line meshes it.`), { code: 'TOO_LARGE' });
-      take(domain, name);
+      take(domain, name, title);
     } catch (thrown) {
       fail(thrown, name);
     }
@@ -113,8 +118,7 @@ export function installOpening(app, show) {
   actions.add(
     { id: 'file.open', label: 'Open a file', icon: 'open', keys: ['Ctrl+O'], run: () => input.click() },
     { id: 'sketch.empty', label: 'Begin empty', icon: 'file', run: () => {
-      store.change('Begin empty', { ...emptyProject, drawing: emptyDrawing, layers: store.project.layers });
-      stage.fit();
+      replaceProject(app, 'Begin empty', { ...emptyProject, drawing: emptyDrawing });
       actions.run('tool.polygon');
     } },
   );
@@ -123,7 +127,7 @@ export function installOpening(app, show) {
     if (event.target instanceof HTMLInputElement || event.target instanceof HTMLTextAreaElement) return;
     const files = [...event.clipboardData?.files ?? []], text = event.clipboardData?.getData('text/plain') ?? '';
     if (files.length > 0) void openFiles(files);
-    else if (text.trim() !== '') void openSource(async () => text, 'What was pasted');
+    else if (text.trim() !== '') void openSource(async () => text, 'What was pasted', 'Pasted drawing');
   });
 }
 

@@ -43,7 +43,7 @@ const glyph = letter();
 /** @type {Preset[]} */
 export const presets = [
   preset('plate', 'Plate with a hole', 'Voronoi cells become square round a hole, as in the paper’s Figs. 2 and 3.',
-    plain(rectangle(0, 0, 2, 1), circle(1, 0.5, 0.22, 32)), { size: 0.055, method: 'paper', seeds: 'isotropic', seed: 34 }),
+    plain(rectangle(0, 0, 2, 1), circle(1, 0.5, 0.22, 32)), { size: 0.055, seeds: 'isotropic', iterations: 80 }),
   preset('square', 'Square', 'The simplest domain; every vertex can be regular.',
     plain(rectangle(0, 0, 1, 1)), { size: 0.05 }),
   paperSquare('A', 0.15), paperSquare('B', 0.35), paperSquare('C', 0.4), paperSquare('D', 0.6),

@@ -11,12 +11,13 @@ import { nameOf } from './sketch.js';
 import { insertAfter, removeSelected } from './tools/edit.js';
 
 /** @param {App} app  @param {Sketch} sketch */
-export function selectionSection({ actions }, sketch) {
+export function selectionSection({ actions, stage }, sketch) {
   const path = () => sketch.selected ? model.pathOf(sketch.drawing, sketch.selected) : [];
   const chosen = () => sketch.selected !== null;
+  const editing = () => stage.tool.id === 'edit';
   actions.add(
-    { id: 'vertex.previous', label: 'Previous vertex', icon: 'previous', run: () => sketch.selectNext(-1) },
-    { id: 'vertex.next', label: 'Next vertex', icon: 'next', run: () => sketch.selectNext(1) },
+    { id: 'vertex.previous', label: 'Previous vertex', icon: 'previous', keys: ['P'], enabled: editing, run: () => sketch.selectNext(-1) },
+    { id: 'vertex.next', label: 'Next vertex', icon: 'next', keys: ['N'], enabled: editing, run: () => sketch.selectNext(1) },
     { id: 'vertex.add', label: 'Add a vertex after it', icon: 'plus', enabled: chosen, run: () => insertAfter(sketch) },
     { id: 'vertex.remove', label: 'Remove this vertex', icon: 'minus', enabled: chosen, run: () => removeSelected(sketch) },
     { id: 'outline.remove', label: 'Remove this outline', icon: 'remove', enabled: chosen,

@@ -17,11 +17,11 @@ export function makeTools(sketch) {
   /** @type {ToolEntry[]} */
   const entries = [
     { tool: new EditTool(sketch), label: 'Edit', icon: 'edit', key: 'V',
-      hint: 'Drag a vertex; click an edge to add one. Keys on the stage: N and P choose, arrows move, Insert, Delete.' },
+      hint: 'Drag a vertex; click an edge to add one. N and P choose; on the stage arrows move, and Insert and Delete work.' },
     { tool: polygon, label: 'Outline by points', icon: 'polygon', key: 'P',
       hint: 'Click the corners; click the first again, or press Enter, to close. Backspace takes the last one back.' },
     { tool: freehandTool(sketch), label: 'Outline by hand', icon: 'freehand', key: 'F', hint: 'Draw around; it closes when you let go.' },
-    { tool: circleTool(sketch), label: 'Circle', icon: 'circle', key: 'C', hint: 'Drag from the centre outwards.' },
+    { tool: circleTool(sketch), label: 'Circle', icon: 'circle', key: 'O', hint: 'Drag from the centre outwards.' },
     { tool: rectangleTool(sketch), label: 'Rectangle', icon: 'rectangle', key: 'R', hint: 'Drag from corner to corner.' },
     { tool: line, label: 'Line inside', icon: 'line', key: 'L', hint: 'Click its points and press Enter: the line becomes mesh edges.' },
     { tool: point, label: 'Point inside', icon: 'point', key: 'X', hint: 'Click a place: it becomes a vertex of the mesh.' },

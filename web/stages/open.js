@@ -28,7 +28,7 @@ export function installStages(app) {
 }
 
 /** @param {App} app  @param {File[]} files */
-async function open({ store, stage, recordings, notify, announce }, files) {
+async function open({ keeping, store, stage, recordings, notify, announce }, files) {
   try {
     if (files.reduce((sum, { size }) => sum + size, 0) > mostBytes) throw new BadStages('It is larger than 512 MiB.');
     const texts = new Map(await Promise.all(files.filter(({ name }) => /\.(json|obj)$/.test(name)).map(async (file) => /** @type {const} */ ([file.name, await file.text()]))));
@@ -36,6 +36,7 @@ async function open({ store, stage, recordings, notify, announce }, files) {
     const name = files[0].webkitRelativePath.split('/')[0] || 'native run';
     const project = { ...emptyProject, name, drawing: recording.drawing, options: { norm: recording.norm } };
     recordings.push({ project, open: async () => /** @type {WorkerSession} */ (/** @type {unknown} */ (new RecordedSession(recording))) });
+    keeping.close();
     store.change(`Open the stages in ${name}`, project);
     stage.fit();
     announce(`${name} opened: ${recording.steps.length} steps of a native run`);

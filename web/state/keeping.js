@@ -6,7 +6,7 @@
 import { NotAProject } from './judge.js';
 import { fromFragment, longestLink, toFragment } from './link.js';
 import { projectText, readProject } from './project_file.js';
-import { haveSameMesh } from './project.js';
+import { emptyProject, haveSameMesh } from './project.js';
 import { whenRested } from './rest.js';
 import { keep, kept } from './storage.js';
 
@@ -50,8 +50,11 @@ export class Keeping {
   #soon = whenRested(() => void this.#follow());
   #turn = 0;
   #full = false;
-  /** Which chapter of the tour is open, and the project as it set it. @type {{id: string, project: Project | null}} */
-  chapter = { id: '', project: null };
+  /**
+   * The chapter of the tour that was opened last; `figure`: the project as it set it; `before`: that which the tour took the place of.
+   * @type {{id: string, open: boolean, figure: Project | null, drawing: Project['drawing'] | null, before: Project}}
+   */
+  chapter = { id: '', open: false, figure: null, drawing: null, before: emptyProject };
 
   /** @param {Pick<App, 'store' | 'runner' | 'notify'>} app */
   constructor(app) {
@@ -62,9 +65,31 @@ export class Keeping {
     document.addEventListener('visibilitychange', () => { if (document.hidden) this.save(); });
   }
 
-  /** @param {string} id  @param {Project | null} project  the chapter's own figure, if that is shown */
-  open(id, project) {
-    this.chapter = { id, project };
+  /** @param {Project} project  whether it is the open chapter's figure, changed perhaps */
+  #ofTour({ drawing }) { return this.chapter.open && drawing === this.chapter.drawing; }
+
+  /** Whether the tour's figure is on the screen. */
+  get inTour() { return this.#ofTour(this.#app.store.project); }
+
+  /** What the person had the layers set to: those of the tour go with its figure. */
+  get layers() { return this.inTour ? this.chapter.before.layers : this.#app.store.project.layers; }
+
+  /** @param {string} id  @param {Project | null} before  what the chapter's own figure took the place of, if that is shown */
+  open(id, before) {
+    const { project } = this.#app.store;
+    const first = before === null ? { ...project, layers: emptyProject.layers } : this.#ofTour(before) ? this.chapter.before : before;
+    this.chapter = { id, open: true, figure: before && project, drawing: project.drawing, before: first };
+    const address = `#chapter=${id}`;
+    if (before !== null && location.hash !== address) {
+      ++this.#turn;
+      history.pushState(null, '', address);  // so that Back leads to the chapter before
+    }
+    this.#soon();
+  }
+
+  /** Another project takes the place of the tour's figure. */
+  close() {
+    this.chapter = { ...this.chapter, open: false };
     this.#soon();
   }
 
@@ -72,13 +97,13 @@ export class Keeping {
   get place() {
     const { phase, state, project } = this.#app.runner.run;
     const stands = phase === 'paused' && project !== null && haveSameMesh(project, this.#app.store.project) && state !== null && state.tick > 0;
-    return { ...(stands && { tick: state.tick }), ...(this.chapter.id && { chapter: this.chapter.id }) };
+    return { ...(stands && { tick: state.tick }), ...(this.inTour && { chapter: this.chapter.id }) };
   }
 
   /** The fragment of an address that opens what is on the screen. */
   fragment() {
     const { project } = this.#app.store;
-    if (this.chapter.id && project === this.chapter.project) return Promise.resolve(`#chapter=${this.chapter.id}`);
+    if (project === this.chapter.figure) return Promise.resolve(`#chapter=${this.chapter.id}`);
     return toFragment(project, this.place);
   }
 
