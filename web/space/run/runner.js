@@ -16,10 +16,11 @@ const pictures = 20;         // of the cells in one chart
 const cellsFor = 5000;       // milliseconds for the first ones of all charts together
 const longest = 500;         // for the first one of a chart
 const next = 60;             // for each of the others
-const mostWatching = 8000;   // of all pictures of a run together, drawing included, which may be slow
+const mostWatching = 5000;   // of all pictures of a run together, drawing included, which may be slow
 const pictureEvery = 40;  // milliseconds of meshing between two looks
 const wordEvery = 400;    // the same on the way to the end, where there are no pictures
 const chartsEvery = 250;  // milliseconds between two looks at what all charts have so far: it is drawn anew
+const rarer = 4;         // a run that takes long is looked at after each such part of its time: drawing may be what takes long
 const manySteps = new Set(['mesh', 'seams', 'shape']);
 
 export class SurfaceRunner {
@@ -131,6 +132,7 @@ export class SurfaceRunner {
   async #steps(session, wanted) {
     await this.#look(session, wanted, { surface: true });
     const watching = { left: pictures, spent: 0 };
+    const start = performance.now();
     let looked = 0;
     /** What has not been looked at on the way to the end. @type {SurfaceLayers} */
     let missed = {};
@@ -144,7 +146,7 @@ export class SurfaceRunner {
       if (between) watching.left = pictures;
       if (between && !this.#hurried) portion = 1;
       if (over) missed = { ...missed, ...layersAfter[before.stage] };
-      if (this.#looks({ over: over && state.stage, between, missed, ago: performance.now() - looked })) {
+      if (this.#looks({ over: over && state.stage, between, missed, due: performance.now() - looked > Math.max(chartsEvery, (looked - start) / rarer) })) {
         await this.#look(session, wanted, { ...missed, ...layersAfter[before.stage] });
         [looked, missed] = [performance.now(), {}];
       } else if (shown && !between) await this.#lookAtCells(session, wanted, watching);
@@ -154,11 +156,11 @@ export class SurfaceRunner {
   }
 
   /** Whether all that is there by now is looked at.
-   * @param {{over: string | false, between: boolean, missed: SurfaceLayers, ago: number}} now  over: the next stage, if one has ended */
-  #looks({ over, between, missed, ago }) {
+   * @param {{over: string | false, between: boolean, missed: SurfaceLayers, due: boolean}} now  over: the next stage, if one has ended */
+  #looks({ over, between, missed, due }) {
     if (this.run.paused) return between || Object.keys(missed).length > 0;
     if (this.#hurried) return over === 'done';
-    return over !== false || (between && ago > chartsEvery);
+    return over !== false || (between && due);
   }
 
   /** Whether the cells of the chart are looked at. @param {{left: number, spent: number}} watching */
