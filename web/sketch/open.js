@@ -19,6 +19,8 @@ import { edgeLengths, median } from './model/geometry.js';
 
 const mostBytes = 64 * 2 ** 20, mostPoints = 200000, patience = 20000, longestName = 200;
 const endings = ['.json', '.geojson', '.svg', '.poly', '.msh', '.dxf'];
+const surfaces = ' A surface in space: .stl, .obj, .ply, .off, .msh, .step, .iges or .brep.';
+const hasEnding = (/** @type {string} */ name) => endings.some((ending) => name.toLowerCase().endsWith(ending));
 
 /** A mesh size for a domain that brings none: the spacing of its points within reason. @param {Drawing} drawing */
 export function sensibleSize(drawing) {
@@ -80,7 +82,8 @@ export function installOpening(app, show) {
     const { code: given, message, where = {} } = /** @type {any} */ (thrown);
     const code = typeof given === 'string' ? given : 'IO_ERROR';  // errors of the browser have numbers
     const line = where.line === undefined ? '' : ` (line ${where.line})`;
-    show({ title: refusalOf(code), details: `${name}: ${message}${line}`, refused: true });
+    const unknown = code === 'PARSE_ERROR' && name.includes('.') && !hasEnding(name);
+    show({ title: refusalOf(code), details: `${name}: ${message}${line}${unknown ? surfaces : ''}`, refused: true });
   }
 
   /** @param {() => Promise<string | Uint8Array>} source  @param {string} name  @param {string} [title]  of the drawing */
@@ -98,7 +101,7 @@ export function installOpening(app, show) {
 
   /** @param {File[]} files */
   async function openFiles(files) {
-    const file = files.find(({ name }) => endings.some((ending) => name.toLowerCase().endsWith(ending))) ?? files[0];
+    const file = files.find(({ name }) => hasEnding(name)) ?? files[0];
     if (file === undefined) return;
     try {
       for (const opener of app.openers) if (await opener(files)) return;
