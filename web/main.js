@@ -99,8 +99,10 @@ addEventListener('hashchange', async ({ newURL }) => {
   if (notice) app.notify(notice);
   const { chapter, inTour } = app.keeping;
   if (!notice && !place.chapter) app.keeping.close();
+  const { drawing } = store.project;
   if (project) store.change('Open a link', project);
   else if (inTour && !location.hash && !place.chapter) store.change('Leave the tour', chapter.before);  // Back, and the drawing was too much for an address
+  if (store.project.drawing !== drawing) stage.fit();
   if (project && place.tick !== undefined) void runner.seek(place.tick);
   openChapter(place.chapter, project === null);
 });

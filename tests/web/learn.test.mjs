@@ -86,6 +86,11 @@ test('watching plays the figure from its start', async () => {
 });
 
 const projectOf = (page) => page.evaluate(() => globalThis.playground.store.project);
+/** All of the plate, and not much else. */
+const inSight = (page) => page.waitForFunction(() => {
+  const { scale, left, top, width, height } = globalThis.playground.stage.view;
+  return left < 0 && left + width / scale > 2 && top > 1 && top - height / scale < 0 && 2 * scale > width / 2;
+});
 const chapterOpen = (page, k) => page.getByRole('heading', { name: chapters[k].title }).waitFor();
 
 test('the tour takes its layers and its address with it', async () => {
@@ -94,12 +99,16 @@ test('the tour takes its layers and its address with it', async () => {
   for (const leave of ['preset.gear', 'sketch.empty']) {
     await page.getByRole('link', { name: 'Which way is up?' }).click();
     await shown(page, chapters[4]);
+    await inSight(page);
     await page.evaluate((id) => globalThis.playground.actions.run(id), leave);
     assert.equal((await projectOf(page)).layers, 'auto', leave);
     await page.waitForFunction(() => location.hash.includes('preset=gear') || location.hash === '');
     assert.doesNotMatch(await page.evaluate(() => location.hash), /chapter|layers/, leave);
     await page.getByRole('tab', { name: 'Learn' }).click();
   }
+  await page.getByRole('link', { name: 'Which way is up?' }).click();  // from where nothing was drawn
+  await inSight(page);
+  await page.keyboard.press('Control+z');
   await page.keyboard.press('Control+z');  // the figure is there again, and so is its address
   await page.waitForFunction(() => location.hash === '#chapter=field');
   await page.evaluate(() => globalThis.playground.actions.run('layer.sizes'));

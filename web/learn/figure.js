@@ -21,9 +21,11 @@ export function watch({ store, runner }, { title }) {
   void runner.seek(0).then(() => runner.play());
 }
 
-/** @param {Pick<App, 'store' | 'runner'>} app  @param {Chapter} chapter */
-export function showFigure({ store, runner }, { title, project, at }) {
+/** @param {Pick<App, 'store' | 'runner' | 'stage'>} app  @param {Chapter} chapter */
+export function showFigure({ store, runner, stage }, { title, project, at }) {
+  const other = store.project.drawing !== project.drawing;
   store.change(`Tour: ${title}`, project);
+  if (other) stage.fit();
   if (at.stage === 'seeds') return void runner.seek(0);
   const stop = runner.subscribe((run) => {
     if (run.project === null || !haveSameMesh(store.project, project)) return stop();
