@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cleanup/darts.h"
 #include "cleanup/disk_patterns.h"
 #include "cleanup/ideal_valence.h"
 #include "cleanup/shape_energy.h"
@@ -69,6 +70,12 @@ void mend_shapes(CleanupResult& result, const Fields& fields) {
   result.mesh = std::move(topology).compact();
 }
 
+void cut_what_is_left(CleanupResult& result) {
+  QuadTopology topology(std::move(result.mesh));
+  result.stats.splits += cut_darts(topology);
+  result.mesh = std::move(topology).compact();
+}
+
 }  // namespace
 
 CleanupResult clean_up(QuadMesh mesh, const Fields& fields, const CleanupOptions& options) {
@@ -83,6 +90,7 @@ CleanupResult clean_up(QuadMesh mesh, const Fields& fields, const CleanupOptions
   if (options.topology) mend_shapes(result, fields);
   // Other connectivity, other chances.
   if (options.topology && count_invalid(result.mesh) > 0) make_valid(result, fields);
+  if (options.cut_darts && count_invalid(result.mesh) > 0) cut_what_is_left(result);
   result.stats.still_invalid = count_invalid(result.mesh);
   if (result.stats.still_invalid > 0) return result;  // not worth polishing
   smooth_eta(result.mesh, fields, smoothing);

@@ -16,6 +16,7 @@ struct CleanupOptions {
   // Local operations for regularity. Without them only doublets are removed, and connectivity
   // changes elsewhere only where no positions make the faces valid.
   bool topology = true;
+  bool cut_darts = false;  // seven quads for each that nothing else made convex (darts.h)
 };
 
 struct CleanupStats {

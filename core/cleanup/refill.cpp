@@ -9,6 +9,8 @@ namespace lpq {
 namespace {
 
 constexpr double least_gain = 1e-9;  // of irregularity: less is none
+// Faces around a cavity: where hundreds meet in one vertex, a try takes long and mends nothing.
+constexpr std::size_t largest_ring = 48;
 constexpr int first_guess_sweeps = 8;
 constexpr int relax_steps = 14;
 // A repair may leave this much more irregularity than it found: one quad cut into five leaves 12
@@ -283,6 +285,7 @@ RefillResult Refiller::try_plans(std::span<const Index> faces) {
   weigh_loop(faces);
   if (old_weight_ < least_gain && !options_.repair) return {};
   collect_ring(faces);
+  if (ring_.size() > largest_ring) return {};
   std::vector<Plan> plans;
   choose_plans(plans);
   Trial best;

@@ -39,6 +39,12 @@ class Kernel {
     return least;
   }
 
+  bool is_farther(Vec2 x, double than) const {
+    for (const Line& line : lines_)
+      if (line.distance(x) <= than) return false;
+    return true;
+  }
+
   // At the optimum of "largest t with distance_i(x) >= t" three conditions are tight. There are
   // few, so all triples are tried; ties keep the first.
   Vec2 centre() const { return lines_.size() <= most_lines ? exact_centre() : searched_centre(); }
@@ -54,11 +60,9 @@ class Kernel {
           Vec2 x;
           if (!equidistant(lines_[i], lines_[j], lines_[k], x)) continue;
           if (std::max(std::abs(x.x), std::abs(x.y)) > reach) continue;
-          if (lines_[i].distance(x) <= best_distance + tolerance) continue;
-          const double least = least_distance(x);
-          if (least <= best_distance + tolerance) continue;
+          if (!is_farther(x, best_distance + tolerance)) continue;
           best = x;
-          best_distance = least;
+          best_distance = least_distance(x);
         }
     return best;
   }
@@ -72,10 +76,9 @@ class Kernel {
       for (int dx = -1; dx <= 1; ++dx)
         for (int dy = -1; dy <= 1; ++dy) {
           const Vec2 x = at + Vec2{step * dx, step * dy};
-          const double least = least_distance(x);
-          if (least <= best_distance + tolerance) continue;
+          if (!is_farther(x, best_distance + tolerance)) continue;
           best = x;
-          best_distance = least;
+          best_distance = least_distance(x);
         }
     }
     return best;

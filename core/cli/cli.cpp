@@ -14,14 +14,32 @@
 namespace lpq {
 namespace {
 
+bool is_letter(char c) { return ('A' <= c && c <= 'Z') || ('a' <= c && c <= 'z'); }
+bool is_part_of_name(char c) { return is_letter(c) || ('0' <= c && c <= '9') || c == '-'; }
+
+/// Is this place between quotes, as what a caller typed is? Apostrophes inside words are none.
+bool is_quoted(std::string_view text, std::size_t at) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < at; ++i)
+    if (text[i] == '\'' && !(i > 0 && is_letter(text[i - 1]) && is_letter(text[i + 1])))
+      quoted = !quoted;
+  return quoted;
+}
+
+bool stands_alone(std::string_view text, std::size_t at, std::size_t size) {
+  const std::size_t end = at + size;
+  return !(at > 0 && is_part_of_name(text[at - 1])) &&
+         !(end < text.size() && is_part_of_name(text[end])) && !is_quoted(text, at);
+}
+
 /// Messages name options as libraries know them: "raise maxElements" -> "raise --max-elements".
 template <class Table>
 void name_flags(const Table& table, std::string& text) {
   each_field(table, [&](const char* name, const auto&, const FieldInfo&) {
     const std::string_view word = name;
     if (std::none_of(word.begin(), word.end(), [](char c) { return 'A' <= c && c <= 'Z'; })) return;
-    for (std::size_t at; (at = text.find(word)) != std::string::npos;)
-      text.replace(at, word.size(), option_flag(word));
+    for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += word.size())
+      if (stands_alone(text, at, word.size())) text.replace(at, word.size(), option_flag(word));
   });
 }
 

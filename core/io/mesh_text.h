@@ -13,8 +13,6 @@ namespace lpq {
 /// What a reader takes: meshes with z = 0, or of any height.
 enum class MeshScope { plane, space };
 
-inline constexpr std::size_t max_names = 10'000;  // groups or physical names read from one file
-
 /// Lines of a text, without their line ends (LF or CRLF) and a leading byte order mark.
 class LineReader {
  public:

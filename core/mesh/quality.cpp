@@ -52,14 +52,6 @@ VertexEdges vertex_edges(const QuadMesh& mesh) {
   return result;
 }
 
-/// Linear interpolation between order statistics; `sorted` is not empty.
-double percentile(const std::vector<double>& sorted, double share) {
-  const double position = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(position);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (position - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
 void judge_quad(QuadQuality& quality, std::vector<double>& etas, std::array<Vec2, 4> corner) {
   const double area = cross(corner[2] - corner[0], corner[3] - corner[1]);
   if (!(area > 0)) ++quality.inverted;
@@ -74,19 +66,27 @@ void judge_quad(QuadQuality& quality, std::vector<double>& etas, std::array<Vec2
   ++quality.eta_histogram[std::min<std::size_t>(19, static_cast<std::size_t>(eta * 20))];
 }
 
-void count_valences(QuadQuality& quality, const QuadMesh& mesh) {
-  const VertexEdges edges = vertex_edges(mesh);
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    if (edges.valence[v] == 0 || edges.on_rim[v]) continue;
+}  // namespace
+
+void count_valences(std::span<const Index> valence, std::span<const char> border,
+                    QuadQuality& quality) {
+  for (std::size_t v = 0; v < valence.size(); ++v) {
+    if (valence[v] == 0 || border[v]) continue;
     ++quality.interior_vertices;
-    if (edges.valence[v] == 4) ++quality.regular_vertices;
-    ++quality.valence_histogram[std::min<Index>(9, edges.valence[v])];
+    if (valence[v] == 4) ++quality.regular_vertices;
+    ++quality.valence_histogram[std::min<Index>(9, valence[v])];
   }
   if (quality.interior_vertices > 0)
     quality.four_valent_percent = 100.0 * quality.regular_vertices / quality.interior_vertices;
 }
 
-}  // namespace
+double percentile(std::span<const double> sorted, double share) {
+  if (sorted.empty()) return 0;
+  const double position = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(position);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (position - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
 
 double quad_eta(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const Vec2 side[4] = {b - a, c - b, d - c, a - d};
@@ -159,7 +159,8 @@ QuadQuality quad_quality(const QuadMesh& mesh) {
     quality.eta_min = etas.front();
     quality.eta_p5 = percentile(etas, 0.05);
   }
-  count_valences(quality, mesh);
+  const VertexEdges edges = vertex_edges(mesh);
+  count_valences(edges.valence, edges.on_rim, quality);
   return quality;
 }
 

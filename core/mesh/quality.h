@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "mesh/quad_mesh.h"
@@ -29,5 +30,12 @@ struct QuadQuality {
   std::array<Index, 20> eta_histogram{};
 };
 QuadQuality quad_quality(const QuadMesh& mesh);
+
+/// Takes in the vertices that are used and not on a border. `valence`, `border`: #V.
+void count_valences(std::span<const Index> valence, std::span<const char> border,
+                    QuadQuality& quality);
+
+/// Linear interpolation between order statistics; 0 of no values.
+double percentile(std::span<const double> sorted, double share);
 
 }  // namespace lpq

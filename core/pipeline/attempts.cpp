@@ -38,10 +38,12 @@ std::vector<Attempt> plan_attempts(const Options& options, bool seeds_given) {
           {.seeds = seeds, .iterations = asked, .restarts = restarts, .alternative = true});
   }
   attempts.push_back({.seeds = Seeds::aligned, .size_factor = 0.75});
-  if (options.keep_boundary)
+  if (options.keep_boundary) {
     attempts.push_back({.seeds = Seeds::isotropic, .iterations = 20, .size_factor = 0.6});
-  else
+    attempts.push_back({.seeds = Seeds::aligned, .cut_darts = true});
+  } else {
     attempts.push_back({.seeds = Seeds::isotropic, .size_factor = 1.5, .subdivide = true});
+  }
   return attempts;
 }
 

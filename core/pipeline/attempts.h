@@ -15,6 +15,7 @@ struct Attempt {
   int restarts = 0;  // rounds of exchanging points after these
   double size_factor = 1;
   bool subdivide = false;    // three quads per triangle: always valid, never pretty
+  bool cut_darts = false;    // what nothing else made convex: valid, not pretty either
   bool alternative = false;  // run even when the one before passed; the better mesh is kept
 };
 

@@ -113,13 +113,14 @@ SizeFidelity size_fidelity(const QuadMesh& mesh, const Fields& fields) {
       ratios.push_back(length(b - a) / fields.size(midpoint(a, b), hint));
     }
   }
-  SizeFidelity fidelity;
-  if (ratios.empty()) return fidelity;
+  return size_fidelity(std::move(ratios));
+}
+
+SizeFidelity size_fidelity(std::vector<double> ratios) {
+  if (ratios.empty()) return {};
   std::sort(ratios.begin(), ratios.end());
-  const auto quantile = [&](double q) {
-    return ratios[static_cast<std::size_t>(q * static_cast<double>(ratios.size() - 1))];
-  };
-  return {quantile(0.1), quantile(0.5), quantile(0.9), ratios.front(), ratios.back()};
+  return {percentile(ratios, 0.1), percentile(ratios, 0.5), percentile(ratios, 0.9), ratios.front(),
+          ratios.back()};
 }
 
 std::uint64_t output_hash(const OutputMesh& mesh) {

@@ -227,6 +227,7 @@ void Mesher::clean() {
     cleanup.topology = attempt_ > 0;
     cleanup.smoothing_iterations = smoothing();
   }
+  cleanup.cut_darts = attempt().cut_darts;
   annealing_ = gave_up_ = false;
   CleanupResult result = clean_up(std::move(quads_), *fields_, cleanup);
   quads_ = std::move(result.mesh);

@@ -23,6 +23,9 @@ struct SizeFidelity {
   double min = 0, max = 0;
 };
 
+/// Of the ratios of all edges, in any order.
+SizeFidelity size_fidelity(std::vector<double> ratios);
+
 struct Report {
   Index boundary_nodes = 0;
   Index boundary_edges = 0;

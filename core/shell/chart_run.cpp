@@ -80,8 +80,8 @@ bool is_whole_face(const Charted& charted, const Chart& chart) {
 std::uint64_t fingerprint(Index chart, const DomainInput& input, const Fields& fields) {
   Fnv1a hash;
   const auto add = [&hash](const Loop& line) {
-    const std::size_t size = line.size();
-    hash.add(std::span<const std::size_t>(&size, 1));
+    const auto size = static_cast<Index>(line.size());
+    hash.add(std::span<const Index>(&size, 1));
     hash.add(std::span<const Vec2>(line));
   };
   hash.add(std::span<const Index>(&chart, 1));

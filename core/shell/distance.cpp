@@ -62,7 +62,8 @@ Samples surface_samples(std::span<const Vec3> points, std::span<const Tri> trian
   std::vector<double> weight(points.size(), 0);
   std::vector<char> used(points.size(), 0);
   Samples result;
-  for (const Tri& t : triangles) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Tri& t = triangles[i];
     const std::array<Vec3, 3> corners{points[t[0]], points[t[1]], points[t[2]]};
     const bool large = longest_side(corners) > step;
     for (const Index v : t) {
@@ -70,10 +71,11 @@ Samples surface_samples(std::span<const Vec3> points, std::span<const Tri> trian
       if (!large) weight[v] += area_of(corners[0], corners[1], corners[2]) / 3;
     }
     if (!large) continue;
-    visit_places(corners, step, [&](const std::array<double, 3>& at, double area) {
+    const auto add = [&](const std::array<double, 3>& at, double area) {
       result.points.push_back(at[0] * corners[0] + at[1] * corners[1] + at[2] * corners[2]);
       result.weight.push_back(area);
-    });
+    };
+    visit_places(corners, step, static_cast<Index>(i), add);
   }
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (!used[v]) continue;

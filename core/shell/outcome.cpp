@@ -39,11 +39,14 @@ std::vector<BodyReport> reports_of_bodies(const ShellOutcome& outcome) {
   for (const std::string& name : outcome.body_names) reports.emplace_back().name = name;
   if (reports.empty()) return reports;
   const std::vector<Index> body = bodies_at(outcome.surface, mesh.places);
+  std::vector<Index> number;  // #V  in its body: what a count costs must not grow with the others
+  for (const Index b : body) number.push_back(reports[b].vertices++);
   std::vector<std::vector<Face>> faces(reports.size());
-  for (const Index b : body) ++reports[b].vertices;
-  for (const Face& face : mesh.faces) {
+  for (Face face : mesh.faces) {
     const Index b = body[face[0]];
     ++(face[3] == none ? reports[b].triangles : reports[b].quads);
+    for (Index& v : face)
+      if (v != none) v = number[v];
     faces[b].push_back(face);
   }
   for (std::size_t b = 0; b < reports.size(); ++b) {

@@ -17,14 +17,6 @@ bool is_bent(const ShellMesh& mesh, const Face& face) {
                            mesh.points[face[3]]);
 }
 
-double percentile(std::vector<double>& values, double share) {
-  if (values.empty()) return 0;
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 /// Vertices on edges of one face only.
 std::vector<char> border_vertices(const ShellMesh& mesh) {
   std::vector<char> border(mesh.points.size(), 0);
@@ -35,19 +27,11 @@ std::vector<char> border_vertices(const ShellMesh& mesh) {
   return border;
 }
 
-void count_valences(const ShellMesh& mesh, QuadQuality& quality) {
+std::vector<Index> valences_of(const ShellMesh& mesh) {
   std::vector<Index> valence(mesh.points.size(), 0);
   for (const Face& face : mesh.faces)
     for (int k = 0; k < corner_count(face); ++k) ++valence[face[k]];
-  const std::vector<char> border = border_vertices(mesh);
-  for (std::size_t v = 0; v < valence.size(); ++v) {
-    if (border[v] || valence[v] == 0) continue;
-    ++quality.interior_vertices;
-    if (valence[v] == 4) ++quality.regular_vertices;
-    ++quality.valence_histogram[std::min<Index>(valence[v], 9)];
-  }
-  if (quality.interior_vertices > 0)
-    quality.four_valent_percent = 100.0 * quality.regular_vertices / quality.interior_vertices;
+  return valence;
 }
 
 }  // namespace
@@ -83,10 +67,11 @@ QuadQuality shell_quality(const ShellMesh& mesh) {
   quality.quads = static_cast<Index>(etas.size());
   if (!etas.empty()) {
     quality.eta_mean /= static_cast<double>(etas.size());
-    quality.eta_min = *std::min_element(etas.begin(), etas.end());
+    std::sort(etas.begin(), etas.end());
+    quality.eta_min = etas.front();
     quality.eta_p5 = percentile(etas, 0.05);
   }
-  count_valences(mesh, quality);
+  count_valences(valences_of(mesh), border_vertices(mesh), quality);
   return quality;
 }
 
@@ -105,11 +90,7 @@ SizeFidelity shell_size_fidelity(const ShellMesh& mesh, std::span<const Tri> sur
     const auto [a, b] = on_edge[0].ends;
     ratio.push_back(distance(mesh.points[a], mesh.points[b]) / (0.5 * (size_of(a) + size_of(b))));
   });
-  if (ratio.empty()) return {};
-  SizeFidelity fidelity{percentile(ratio, 0.1), percentile(ratio, 0.5), percentile(ratio, 0.9)};
-  fidelity.min = *std::min_element(ratio.begin(), ratio.end());
-  fidelity.max = *std::max_element(ratio.begin(), ratio.end());
-  return fidelity;
+  return size_fidelity(std::move(ratio));
 }
 
 }  // namespace lpq

@@ -1,16 +1,16 @@
 #include "surface/features.h"
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 #include "base/check.h"
-#include "base/disjoint_sets.h"
 #include "surface/bends.h"
 #include "surface/components.h"
 #include "surface/corners.h"
 #include "surface/needles.h"
 #include "surface/sharp_edges.h"
 #include "surface/short_chains.h"
+#include "surface/size_field.h"
 
 namespace lpq {
 namespace {
@@ -48,15 +48,9 @@ void unmark_smooth_edges(const FeatureMarks& marks, SurfaceFeatures& features) {
 }
 
 void number_faces(const SurfaceMesh& mesh, SurfaceFeatures& features) {
-  DisjointSets sets(mesh.triangle_count());
-  for (Index e = 0; e < 3 * mesh.triangle_count(); ++e)
-    if (mesh.twins[e] > e && !features.half_edge_is_feature(e))
-      sets.unite(triangle_of(e), triangle_of(mesh.twins[e]));
-  features.face.resize(mesh.triangles.size());
-  for (Index t = 0; t < mesh.triangle_count(); ++t) {
-    const Index root = sets.root(t);
-    features.face[t] = root == t ? features.face_count++ : features.face[root];
-  }
+  Components faces = components_of(mesh.twins, features.half_edges());
+  features.face = std::move(faces.of_triangle);
+  features.face_count = faces.count;
 }
 
 }  // namespace
@@ -73,38 +67,12 @@ Csr<Index> SurfaceFeatures::edges_at_vertices(Index vertex_count) const {
   return lpq::edges_at_vertices(edges, vertex_count, flags);
 }
 
-namespace {
-
-/// A quad that is larger than what it is of says nothing about what is noise there.
-std::vector<double> limited_to_parts(const SurfaceMesh& mesh, std::span<const double> size) {
-  constexpr double most = 0.25;  // of the bounding diagonal of what hangs together
-  const Components parts = components_of(mesh.twins);
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  std::vector<Vec3> low(parts.count, {infinite, infinite, infinite});
-  std::vector<Vec3> high(parts.count, {-infinite, -infinite, -infinite});
-  for (Index t = 0; t < mesh.triangle_count(); ++t) {
-    Vec3 &l = low[parts.of_triangle[t]], &h = high[parts.of_triangle[t]];
-    for (const Index v : mesh.triangles[t]) {
-      const auto [x, y, z] = mesh.points[v];
-      l = {std::min(l.x, x), std::min(l.y, y), std::min(l.z, z)};
-      h = {std::max(h.x, x), std::max(h.y, y), std::max(h.z, z)};
-    }
-  }
-  std::vector<double> limited(size.begin(), size.end());
-  for (Index t = 0; t < mesh.triangle_count(); ++t) {
-    const Index part = parts.of_triangle[t];
-    for (const Index v : mesh.triangles[t])
-      limited[v] = std::min(limited[v], most * distance(low[part], high[part]));
-  }
-  return limited;
-}
-
-}  // namespace
-
 SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> given_size,
                               const FeatureOptions& options, const FeatureMarks& marks) {
   LPQ_ASSERT(given_size.size() == mesh.points.size());
-  const std::vector<double> size = limited_to_parts(mesh, given_size);
+  // A quad that is larger than what it is of says nothing about what is noise there.
+  std::vector<double> size(given_size.begin(), given_size.end());
+  limit_to_parts(mesh, 0.25, size);
   SurfaceFeatures features;
   features.edges = surface_edges(mesh.triangles, mesh.vertex_count());
   features.kind.assign(features.edges.ends.size(), FeatureKind::smooth);

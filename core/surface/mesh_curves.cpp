@@ -36,7 +36,7 @@ Result<std::vector<Profile>> profiles_of(const SurfaceMesh& mesh, const SurfaceC
     std::vector<Station>& stations = profiles[c].stations;
     Index before = none;
     for (const Index v : curves.vertices.row(c)) {
-      if (!(size[v] > 0 && std::isfinite(size[v]))) return bad_size(before == none ? v : before);
+      if (!(size[v] > 0 && std::isfinite(size[v]))) return bad_size(v);
       Station station{1 / size[v], 0};
       if (before != none) {
         const double edge = distance(mesh.points[before], mesh.points[v]);

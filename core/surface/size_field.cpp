@@ -9,6 +9,7 @@
 
 #include "mesh/neighbours.h"
 #include "numerics/elementary.h"
+#include "surface/components.h"
 #include "surface/curvature.h"
 #include "surface/frames.h"
 
@@ -16,6 +17,7 @@ namespace lpq {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double largest_share = 0.5;  // of the diagonal of a part: with larger quads it folds up
 
 Error bad_size(std::string message) { return {ErrorCode::bad_size, std::move(message), {}}; }
 
@@ -104,7 +106,27 @@ Result<std::vector<double>> surface_sizes(const SurfaceMesh& mesh, std::span<con
         return bad_size("a part of the surface is flat and has no size: give a constant one");
   for (double& value : h)
     if (!std::isfinite(value)) value = 1;  // points of no triangle
+  limit_to_parts(mesh, largest_share, h);
   return h;
+}
+
+void limit_to_parts(const SurfaceMesh& mesh, double share, std::span<double> h) {
+  const Components parts = components_of(mesh.twins);
+  std::vector<Vec3> low(parts.count, {infinite, infinite, infinite});
+  std::vector<Vec3> high(parts.count, {-infinite, -infinite, -infinite});
+  for (Index t = 0; t < mesh.triangle_count(); ++t) {
+    Vec3 &l = low[parts.of_triangle[t]], &u = high[parts.of_triangle[t]];
+    for (const Index v : mesh.triangles[t]) {
+      const auto [x, y, z] = mesh.points[v];
+      l = {std::min(l.x, x), std::min(l.y, y), std::min(l.z, z)};
+      u = {std::max(u.x, x), std::max(u.y, y), std::max(u.z, z)};
+    }
+  }
+  for (Index t = 0; t < mesh.triangle_count(); ++t) {
+    const Index part = parts.of_triangle[t];
+    for (const Index v : mesh.triangles[t])
+      h[v] = std::min(h[v], share * distance(low[part], high[part]));
+  }
 }
 
 double surface_capacity(const SurfaceMesh& mesh, std::span<const double> h) {

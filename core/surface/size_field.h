@@ -20,7 +20,7 @@ struct SurfaceSizeOptions {
 
 /// #V, > 0. Curvature is that of second_forms() and of the polylines that features and borders make
 /// (`feature` marks half-edges, both sides). With r the radius of curvature, a chord that turns by
-/// phi is 2 r sin(phi / 2) long.
+/// phi is 2 r sin(phi / 2) long. No size is more than half the diagonal of what hangs together.
 /// Errors: bad_size where an option is out of range or no size is left anywhere.
 /// Cost O(#V log #V).
 Result<std::vector<double>> surface_sizes(const SurfaceMesh& mesh, std::span<const char> feature,
@@ -28,6 +28,9 @@ Result<std::vector<double>> surface_sizes(const SurfaceMesh& mesh, std::span<con
 
 /// Lowers h so that |h_i - h_j| <= growth |x_i - x_j| along every edge; infinite values are filled.
 void limit_surface_growth(const SurfaceMesh& mesh, double growth, std::span<double> h);
+
+/// Lowers h to this share of the bounding diagonal of what hangs together. Cost O(#T).
+void limit_to_parts(const SurfaceMesh& mesh, double share, std::span<double> h);
 
 /// Integral of dA / h^2: the number of quads that fit.
 double surface_capacity(const SurfaceMesh& mesh, std::span<const double> h);

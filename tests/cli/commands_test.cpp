@@ -151,6 +151,10 @@ TEST_CASE("exit codes and sentences") {
   CHECK(contains(nothing.err, "the text is empty. (line 1"));
   const auto too_many = run({"mesh", square, "-o", folder / "x.obj", "--size", "1e-6"});
   CHECK(contains(too_many.err, "raise --max-elements."));
+  // But what was typed is repeated as it was.
+  CHECK(contains(run({"mesh", folder / "keepBoundary.json", "-o", folder / "x.obj"}).err,
+                 "/keepBoundary.json'"));
+  CHECK(contains(run({"mesh", square, "--maxElements", "5"}).err, "option --maxElements."));
   CHECK(run({"mesh", square, "-o", folder / "missing.json/../x.obj/"}).code != 1);
   CHECK(run({"check"}).code == 2);
   CHECK(run({"check", folder / "missing.obj"}).code == 3);

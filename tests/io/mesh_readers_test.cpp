@@ -41,6 +41,25 @@ TEST_CASE("OBJ as other programs write it") {
   CHECK(mesh->faces == std::vector<Face>{{0, 1, 2, 3}, {0, 1, 2, none}});
 }
 
+TEST_CASE("a mesh may have a group for each of very many faces") {
+  const int count = 30'000;
+  std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  std::string msh =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n"
+      "3 1 1 0\n4 0 1 0\n$EndNodes\n$Elements\n" +
+      std::to_string(count) + "\n";
+  for (int i = 1; i <= count; ++i) {
+    obj += "g face_" + std::to_string(i % 20'000) + "\nf 1 2 3 4\n";
+    msh += std::to_string(i) + " 3 2 " + std::to_string(i) + " 1 1 2 3 4\n";
+  }
+  const auto from_obj = read_obj(obj), from_msh = read_msh(msh + "$EndElements\n");
+  REQUIRE(from_obj.has_value());
+  CHECK(from_obj->regions.size() == 20'000);
+  CHECK(from_obj->region[25'000] == from_obj->region[5'000]);
+  REQUIRE(from_msh.has_value());
+  CHECK(from_msh->regions.size() == count);
+}
+
 TEST_CASE("malformed OBJ is refused with its line") {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
   for (const char* line : {"f 1 2 4", "f 0 1 2", "f 1 2", "f 1 2 3 1 2", "f 1 2 x", "f 1 2 -4",

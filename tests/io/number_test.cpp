@@ -87,7 +87,7 @@ TEST_CASE("only whole decimal numbers are read") {
   }
   std::int64_t integer = 0;
   CHECK((parse_integer("-9223372036854775808", integer) && integer == INT64_MIN));
-  for (const char* text : {"", "1.0", "9223372036854775808", "1 ", "+", "++1", "0x1"})
+  for (const char* text : {"", "1.0", "9223372036854775808", "1 ", "+", "++1", "+-1", "0x1"})
     CHECK_FALSE(parse_integer(text, integer));
 }
 

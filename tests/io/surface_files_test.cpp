@@ -98,6 +98,47 @@ TEST_CASE("OBJ: a polygon with an inward corner keeps its area") {
   }
 }
 
+TEST_CASE("OBJ: polygons that no corner sees whole keep their area, and turn with them") {
+  // A comb of five teeth, tilted in space, from every corner and both ways round.
+  std::vector<Vec2> outline{{10, -1}, {0, -1}};
+  for (int i = 0; i < 10; ++i) outline.push_back({double(i), i % 2 == 0 ? 3.0 : 0.2});
+  std::reverse(outline.begin(), outline.end());
+  std::string points;
+  for (const Vec2 p : outline)
+    points += "v " + std::to_string(p.x) + " " + std::to_string(p.y) + " " +
+              std::to_string(0.5 * p.x) + "\n";
+  const int n = static_cast<int>(outline.size());
+  for (int first = 0; first < n; ++first)
+    for (const bool back : {false, true}) {
+      std::string face = "f";
+      for (int k = 0; k < n; ++k)
+        face += " " + std::to_string(1 + (first + (back ? n - k : k)) % n);
+      const auto soup = good(read_obj_surface(points + face + "\n"));
+      CHECK(soup.triangles.size() == outline.size() - 2);
+      CHECK(soup.warnings.empty());
+      double area = 0;
+      for (std::size_t i = 0; i < outline.size(); ++i)
+        area += 0.5 * cross(outline[i], outline[(i + 1) % outline.size()]);
+      CHECK(area_of(soup.points, soup.triangles) == Approx(std::abs(area) * std::sqrt(1.25)));
+      for (const auto& [a, b, c] : soup.triangles) {
+        const Vec3 turn = cross(soup.points[b] - soup.points[a], soup.points[c] - soup.points[a]);
+        CHECK((turn.z > 0) == ((area > 0) != back));
+      }
+    }
+}
+
+TEST_CASE("OBJ: a hole that a bridge leads to stays open; a polygon across itself is told") {
+  const auto ring = good(
+      read_obj_surface("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\n"
+                       "f 1 2 3 4 1 5 6 7 8 5\n"));
+  CHECK(area_of(ring.points, ring.triangles) == Approx(12));
+  CHECK(ring.warnings.empty());
+  const auto star =
+      good(read_obj_surface("v 0 0 0\nv 4 0 0\nv 0 3 0\nv 2 -2 0\nv 4 3 0\nf 1 2 3 4 5\n"));
+  REQUIRE(star.warnings.size() == 1);
+  CHECK(star.warnings[0].code == ErrorCode::self_intersection);
+}
+
 TEST_CASE("OBJ: what is wrong has a line") {
   CHECK(bad(read_obj_surface("")).code == ErrorCode::empty);
   CHECK(bad(read_obj_surface(three_points)).code == ErrorCode::empty);
@@ -122,6 +163,9 @@ TEST_CASE("STL: bytes and text") {
     CHECK(soup.triangles.size() == box.triangles.size());
     CHECK(area_of(soup.points, soup.triangles) == Approx(22));
   }
+  // Also where its length is not what it says.
+  CHECK(good(read_stl_surface(binary_stl(box, "solid in name only") + "xyz")).triangles.size() ==
+        box.triangles.size());
   const auto soup = good(read_stl_surface(text_stl(box)));
   CHECK(area_of(soup.points, soup.triangles) == Approx(22));
   CHECK(soup.group_names == std::vector<std::string>{"a box"});

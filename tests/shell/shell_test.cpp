@@ -352,6 +352,28 @@ SurfaceSoup needle_cone(double radius, double height, int sides) {
   return soup;
 }
 
+TEST_CASE("a round body far below the size gets no face twice") {
+  for (const double size : {1.0, 3.0, 1e3, 1e30}) {
+    const ShellOutcome outcome = meshed(soup_of(sphere(8)), {.size = size});
+    CHECK(outcome.mesh.faces.size() >= 6);
+    CHECK(validate_faces(outcome.mesh.points, outcome.mesh.faces).empty());
+  }
+}
+
+TEST_CASE("a seam inside another tube is no less looked after") {
+  const SurfaceSoup outer = soup_of(cylinder(40, 20, 1, 6));
+  const SurfaceSoup inner = soup_of(cylinder(40, 20, 0.9, 6));
+  SurfaceSoup both = outer;
+  const auto first = static_cast<Index>(outer.points.size());
+  for (const auto& [a, b, c] : inner.triangles)
+    both.triangles.push_back({first + a, first + b, first + c});
+  both.points.insert(both.points.end(), inner.points.begin(), inner.points.end());
+  const auto windows = [](const SurfaceSoup& soup) {
+    return meshed(soup, {.size = 0.25}).report.seams.windows;
+  };
+  CHECK(windows(both) >= windows(outer) + windows(inner));
+}
+
 TEST_CASE("what a mesh cuts off is told") {
   const auto outcome = mesh_surface(needle_cone(0.5, 10, 31), {.size = 0.2});
   REQUIRE(outcome.has_value());

@@ -41,6 +41,10 @@ void check_map_of(const Chart& chart) {
   CHECK(chart.method != MapMethod::none_found);
   CHECK(chart.check.injective());
   CHECK(chart.check.within(MapLimits{}));
+  // None is far larger or smaller in the plane than on the surface.
+  const auto [small, large] = std::minmax_element(chart.scale.begin(), chart.scale.end());
+  CHECK(*small <= 1.5);
+  CHECK(*large >= 1 / 1.5);
   Index edges = 0;
   for (Index e = 0; e < 3 * chart.plane.triangle_count(); ++e) edges += chart.plane.twins[e] < e;
   const Index chi = chart.plane.vertex_count() - edges + chart.plane.triangle_count();

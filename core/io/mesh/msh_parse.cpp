@@ -133,8 +133,6 @@ class MshParser {
 
   void read_names() {
     if (!read_integers(1)) return;
-    if (integers_[0] > static_cast<std::int64_t>(max_names))
-      return fail("Too many physical names.");
     for (std::int64_t left = integers_[0]; left > 0 && !failed_; --left) {
       const std::string_view line = next_line();
       words_.split(line);

@@ -1,5 +1,6 @@
 // Reads what msh.h promises: from the tags of the file to indices.
-#include <algorithm>
+#include <map>
+#include <utility>
 
 #include "io/mesh/msh.h"
 #include "io/mesh/msh_parse.h"
@@ -8,6 +9,9 @@
 
 namespace lpq {
 namespace {
+
+/// Numbers of groups by dimension and tag.
+using KnownGroups = std::map<std::pair<std::int64_t, std::int64_t>, Index>;
 
 class MshReader {
  public:
@@ -57,21 +61,20 @@ class MshReader {
   }
 
   /// Index into `list` of the group's name; a new entry for a new group.
-  Index label_index(std::vector<std::string>& list, std::vector<MshLabelled<Index>>& known,
-                    std::int64_t dimension, const MshElement& element) {
-    const MshLabelled<Index> key{dimension, element.group, static_cast<Index>(list.size())};
-    const auto at = std::lower_bound(known.begin(), known.end(), key);
-    if (at != known.end() && !(key < *at)) return at->value;
-    if (list.size() >= max_names) fail("The file has too many groups.", element);
-    const std::string* name = find_msh_label(content_.names, dimension, element.group);
-    list.push_back(name != nullptr ? *name : std::string());
-    known.insert(at, key);
-    return key.value;
+  Index label_index(std::vector<std::string>& list, KnownGroups& known, std::int64_t dimension,
+                    const MshElement& element) {
+    const auto [at, is_new] =
+        known.insert({{dimension, element.group}, static_cast<Index>(list.size())});
+    if (is_new) {
+      const std::string* name = find_msh_label(content_.names, dimension, element.group);
+      list.push_back(name != nullptr ? *name : std::string());
+    }
+    return at->second;
   }
 
   const MshContent& content_;
   OutputMesh mesh_;
-  std::vector<MshLabelled<Index>> known_regions_, known_tags_;
+  KnownGroups known_regions_, known_tags_;
   bool failed_ = false;
   Error error_;
 };

@@ -1,7 +1,9 @@
 // See obj.h.
 #include "io/mesh/obj.h"
 
-#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
 
 #include "io/escape.h"
 #include "io/mesh_text.h"
@@ -73,12 +75,11 @@ class ObjReader {
       } else if (words_[0] == "f") {
         read_face();
       } else if (words_[0] == "g") {
-        read_group();
+        enter_group(words_.size() > 1 ? words_[1] : std::string_view());
       }
     }
     if (failed_) return error_;
     if (mesh_.faces.empty()) return lines_.error("The file has no face (no line 'f ...').");
-    if (mesh_.regions.empty()) mesh_.regions.emplace_back();
     drop_unused_points(mesh_);
     drop_flat_heights(mesh_);
     return std::move(mesh_);
@@ -118,24 +119,23 @@ class ObjReader {
       if (index < 0 || index >= count) return fail("A face names a vertex that is not there.");
       face[k] = static_cast<Index>(index);
     }
-    if (mesh_.regions.empty()) mesh_.regions.emplace_back();
+    if (mesh_.regions.empty()) enter_group({});
     mesh_.faces.push_back(face);
     mesh_.region.push_back(group_);
   }
 
-  void read_group() {
-    const std::string name(words_.size() > 1 ? words_[1] : std::string_view());
-    const auto found = std::find(mesh_.regions.begin(), mesh_.regions.end(), name);
-    group_ = static_cast<Index>(found - mesh_.regions.begin());
-    if (found != mesh_.regions.end()) return;
-    if (mesh_.regions.size() >= max_names) return fail("The file has too many groups.");
-    mesh_.regions.push_back(name);
+  void enter_group(std::string_view name) {
+    const auto [at, is_new] =
+        groups_.insert({std::string(name), static_cast<Index>(mesh_.regions.size())});
+    if (is_new) mesh_.regions.emplace_back(name);
+    group_ = at->second;
   }
 
   LineReader lines_;
   MeshScope scope_;
   Words words_;
   OutputMesh mesh_;
+  std::map<std::string, Index> groups_;  // numbers of the regions
   Index group_ = 0;
   bool failed_ = false;
   Error error_;

@@ -1,42 +1,14 @@
 // See soup_builder.h.
 #include "io/surface/soup_builder.h"
 
+#include "base/words.h"
+#include "io/surface/polygon.h"
 #include "surface/bodies.h"
 
 namespace lpq {
 namespace {
 
 constexpr std::size_t most_elements = 200'000'000;  // 3 corners each still fit an Index
-constexpr std::size_t most_corners_looked_at = 64;
-
-/// Twice the area of a polygon as a vector (Newell), from its first corner.
-Vec3 area_vector(std::span<const Index> corners, const std::vector<Vec3>& points) {
-  const Vec3 origin = points[corners[0]];
-  Vec3 sum;
-  for (std::size_t k = 1; k + 1 < corners.size(); ++k)
-    sum += cross(points[corners[k]] - origin, points[corners[k + 1]] - origin);
-  return sum;
-}
-
-bool sees_whole_polygon(std::span<const Index> corners, const std::vector<Vec3>& points,
-                        std::size_t apex, Vec3 area) {
-  const std::size_t n = corners.size();
-  const Vec3 origin = points[corners[apex]];
-  for (std::size_t k = 1; k + 1 < n; ++k) {
-    const Vec3 a = points[corners[(apex + k) % n]], b = points[corners[(apex + k + 1) % n]];
-    if (!(dot(cross(a - origin, b - origin), area) > 0)) return false;
-  }
-  return true;
-}
-
-std::size_t best_apex(std::span<const Index> corners, const std::vector<Vec3>& points) {
-  if (corners.size() == 3 || corners.size() > most_corners_looked_at) return 0;
-  const Vec3 area = area_vector(corners, points);
-  for (std::size_t apex = 0; apex < corners.size(); ++apex)
-    if (sees_whole_polygon(corners, points, apex, area)) return apex;
-  return 0;
-}
-
 }  // namespace
 
 void SoupBuilder::set_group(const std::string& key, const std::string& name) {
@@ -53,6 +25,7 @@ void SoupBuilder::set_body(const std::string& name) {
 
 SurfaceSoup SoupBuilder::take() {
   if (!soup_.sizes.empty()) soup_.sizes.resize(soup_.points.size(), 0);
+  if (crossing_ > 0) soup_.warnings.push_back(warning_of_crossing());
   if (has_bodies_) {
     join_loose_bodies(soup_);
   } else {
@@ -73,13 +46,23 @@ void SoupBuilder::add_polygon(std::span<const Index> corners) {
     if (is_new) soup_.body_names.push_back(body_name_);
     body_ = at->second;
   }
-  const std::size_t n = corners.size(), apex = best_apex(corners, soup_.points);
-  for (std::size_t k = 1; k + 1 < n; ++k) {
-    soup_.triangles.push_back(
-        {corners[apex], corners[(apex + k) % n], corners[(apex + k + 1) % n]});
+  const DividedPolygon divided = divide_polygon(corners, soup_.points);
+  for (const Tri& triangle : divided.triangles) {
+    soup_.triangles.push_back(triangle);
     soup_.group.push_back(group_);
     soup_.body.push_back(body_);
   }
+  if (divided.crossing && crossing_++ == 0) first_crossing_ = soup_.points[corners[0]];
+}
+
+Warning SoupBuilder::warning_of_crossing() const {
+  const Vec3 at = first_crossing_;
+  return {ErrorCode::self_intersection,
+          std::to_string(crossing_) +
+              (crossing_ == 1 ? " polygon crosses itself" : " polygons cross themselves") +
+              ", the first near " + place_in_space(at.x, at.y, at.z) +
+              ". Divide such polygons into triangles before.",
+          {}};
 }
 
 bool SoupBuilder::too_large() const {

@@ -27,9 +27,8 @@ class SoupBuilder {
   /// Polygons from now on belong to the body of this name; before the first call to one without.
   void set_body(const std::string& name);
 
-  /// Three or more corners of points that are there. They are divided into a fan around the first
-  /// corner from which all triangles look the same way, so that a polygon with one inward corner
-  /// comes out right; a polygon that no corner sees whole is a fan around its first.
+  /// Three or more corners of points that are there, divided into triangles (polygon.h); what
+  /// crosses itself is warned of.
   void add_polygon(std::span<const Index> corners);
   bool has_polygon() const { return !soup_.triangles.empty(); }
 
@@ -41,6 +40,8 @@ class SoupBuilder {
   SurfaceSoup take();
 
  private:
+  Warning warning_of_crossing() const;
+
   SurfaceSoup soup_;
   std::map<std::string, Index> groups_, bodies_;
   std::string key_, name_;
@@ -48,6 +49,8 @@ class SoupBuilder {
   std::string body_name_;
   Index body_ = none;  // as above
   bool has_bodies_ = false;
+  Index crossing_ = 0;  // polygons
+  Vec3 first_crossing_;
 };
 
 /// The error for a file that SoupBuilder finds too_large().

@@ -74,7 +74,7 @@ class PlaceFinder {
     const Vec3 p = mesh_.points[a];
     const double double_area = length(cross(mesh_.points[b] - p, mesh_.points[c] - p));
     if (double_area < needle * longest * longest) {
-      visit_places({p, mesh_.points[b], mesh_.points[c]}, step,
+      visit_places({p, mesh_.points[b], mesh_.points[c]}, step, t,
                    [&](const std::array<double, 3>& weight, double) {
                      add({t, {weight[0], weight[1], weight[2]}});
                    });

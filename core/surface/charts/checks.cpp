@@ -144,6 +144,17 @@ MapCheck check_map(const SurfaceMesh& mesh, const Part& part, std::span<const Ve
   return check;
 }
 
+void scale_to_surface(const SurfaceMesh& mesh, const Part& part, std::span<Vec2> uv) {
+  double total = 0, plane = 0;
+  layouts_of(mesh, part, total);
+  for (const auto& [a, b, c] : part.corners) plane += 0.5 * cross(uv[b] - uv[a], uv[c] - uv[a]);
+  if (!(total > 0)) return;
+  double factor = 1;
+  while (factor * factor * plane > 2 * total) factor *= 0.5;
+  while (factor * factor * plane < 0.5 * total) factor *= 2;
+  for (Vec2& p : uv) p = factor * p;
+}
+
 std::vector<double> scales_of(const SurfaceMesh& mesh, const Part& part, std::span<const Vec2> uv) {
   std::vector<double> scales;
   double total = 0, plane = 0;

@@ -31,6 +31,10 @@ MapCheck check_map(const SurfaceMesh& mesh, const Part& part, std::span<const Ve
 /// Triangles that do not turn left, exactly; those with a corner that is no number count as well.
 Index count_flipped(const Part& part, std::span<const Vec2> uv);
 
+/// Makes the map about as large altogether as the surface is there: by a power of two, with which
+/// all that was checked stays as it is, so that lengths are right but for a factor of sqrt 2.
+void scale_to_surface(const SurfaceMesh& mesh, const Part& part, std::span<Vec2> uv);
+
 /// sqrt(area in the plane / area in space) of each triangle; that of the largest neighbours for
 /// triangles too flat to tell.
 std::vector<double> scales_of(const SurfaceMesh& mesh, const Part& part, std::span<const Vec2> uv);
