@@ -158,11 +158,11 @@ TEST_CASE("layers become tags and names; lines that divide make neighbours") {
 
 TEST_CASE("what DXF leaves out is counted") {
   const auto file = read_dxf(
-      "0 CIRCLE 10 0 20 0 30 5 40 1 0 INSERT 2 x 66 1 0 ATTRIB 1 y 0 SEQEND "
+      "0 CIRCLE 10 0 20 0 30 5 40 1 0 INSERT 2 x 10 0 20 0 66 1 0 ATTRIB 1 y 0 SEQEND "
       "0 TEXT 1 z 0 TEXT 1 z 0 CIRCLE 67 1 10 0 20 0 40 9");
   REQUIRE(file.warnings.size() == 3);
   CHECK(file.warnings[0].message == "Curves in paper space were left out: 1.");
-  CHECK(file.warnings[1].message == "Left out: 1 INSERT and 2 TEXT.");
+  CHECK(file.warnings[1].message == "Left out: 1 INSERT without its block and 2 TEXT.");
   CHECK(file.warnings[2].message.find("z other than 0") != std::string::npos);
   CHECK(file.domain.regions[0].loops.size() == 1);
   const auto paper = read_dxf("0 CIRCLE 67 1 10 0 20 0 40 9");
