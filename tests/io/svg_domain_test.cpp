@@ -207,7 +207,7 @@ TEST_CASE("what is not drawn, not filled or not closed") {
             .loops.size() == 1);
   const auto used = read_svg(plate + "<use href='#a'/><text>x</text><use/>");
   REQUIRE(used.warnings.size() == 1);
-  CHECK(used.warnings[0].message == "Left out: 2 use and 1 text.");
+  CHECK(used.warnings[0].message == "Left out: 2 use without its element and 1 text.");
   // Open and not filled: a polyline inside; where ends meet, an outline.
   const auto crack =
       read_svg(plate +
@@ -224,6 +224,20 @@ TEST_CASE("what is not drawn, not filled or not closed") {
   const auto closed = read_svg(plate + "<path d='M1 1h2v2'/>");
   CHECK(region_area(closed.domain.regions[0]) == 81 - 2);
   CHECK(closed.warnings.size() == 1);
+}
+
+TEST_CASE("what is hidden is not drawn, and visibility can come back inside") {
+  const auto holes = [](const std::string& content) {
+    const auto file = read_svg("<rect width='9' height='9'/>" + content);
+    return file.domain.regions.at(0).loops.size() - 1;
+  };
+  const std::string disc = "<circle cx='4' cy='4' r='1'/>";
+  CHECK(holes("<g visibility='visible'>" + disc + "</g>") == 1);
+  CHECK(holes("<g visibility='hidden'>" + disc + "</g>") == 0);
+  CHECK(holes("<g style='visibility:collapse'>" + disc + "</g>") == 0);
+  CHECK(holes("<g visibility='hidden'><g visibility='inherit'>" + disc + "</g></g>") == 0);
+  CHECK(holes("<g visibility='hidden'><g style='visibility:visible'>" + disc + "</g></g>") == 1);
+  CHECK(holes("<g display='none'><g display='inline'>" + disc + "</g></g>") == 0);
 }
 
 TEST_CASE("SVG that is none, or has nothing to mesh") {
