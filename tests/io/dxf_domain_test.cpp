@@ -138,6 +138,19 @@ TEST_CASE("entities are joined into loops whatever their order and direction") {
   CHECK(open.message.find("0.1") != std::string::npos);
 }
 
+TEST_CASE("a line from wall to wall divides the plate, and an open end tells what is near") {
+  const std::string plate = open_square + "0 LINE 10 0 20 0 11 0 21 4 ";
+  const auto two = read_dxf(plate + "0 LINE 8 rib 10 1 20 0 11 1 21 4");
+  REQUIRE(two.domain.regions.size() == 2);
+  CHECK(two.warnings.empty());
+  CHECK(total_area(two.domain) == 16);
+  CHECK(make_domain(two.domain).has_value());
+  CHECK(read_dxf(plate + "0 LINE 10 1 20 0.00003 11 1 21 4").warnings.size() == 1);
+  const Error open = refusal(dxf(plate + "0 LINE 10 1 20 0 11 1 21 3.5"), DomainFormat::dxf);
+  CHECK(open.where.y == 3.5);
+  CHECK(open.message.find("the nearest line is 0.5 away") != std::string::npos);
+}
+
 TEST_CASE("layers become tags and names; lines that divide make neighbours") {
   const auto file = read_dxf(
       "0 LWPOLYLINE 8 steel 70 1 10 0 20 0 10 4 20 0 10 4 20 4 10 0 20 4 "

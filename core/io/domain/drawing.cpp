@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/words.h"
+#include "geometry/segment.h"
 #include "io/number.h"
 
 namespace lpq {
@@ -69,6 +71,17 @@ std::vector<Index> degrees(const LineWork& lines) {
   return degree;
 }
 
+/// The distance from point p to the nearest edge that is not its own.
+double nearest_line(const LineWork& lines, Index p) {
+  double nearest = HUGE_VAL;
+  const Vec2 at = lines.points[p];
+  for (const LineWork::Edge& edge : lines.edges)
+    if (edge.a != p && edge.b != p)
+      nearest = std::min(
+          nearest, distance(at, closest_point(at, lines.points[edge.a], lines.points[edge.b])));
+  return nearest;
+}
+
 /// The distance from point p to the nearest other loose end that is not the far end of its chain.
 double nearest_end(const Drawing& drawing, const std::vector<Index>& degree, Index p, Index own) {
   double nearest = HUGE_VAL;
@@ -115,9 +128,16 @@ Result<int> join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
   const Joined joined = join_points(drawing.lines, tolerance);
   if (joined.farthest > rounding * size)
     warn(warnings, ErrorCode::duplicate_point,
-         "Points within " + number_text(tolerance) + " of each other were made one: " +
-             std::to_string(joined.moved) + ", at most " + number_text(joined.farthest) + " apart.",
+         "Points within " + short_number(tolerance) +
+             " of each other were made one: " + std::to_string(joined.moved) + ", at most " +
+             short_number(joined.farthest) + " apart.",
          joined.moved_at);
+  if (joined.farthest_landed > rounding * size)
+    warn(warnings, ErrorCode::touching,
+         "Points within " + short_number(tolerance) +
+             " of a line were made corners of it: " + std::to_string(joined.landed) + ", at most " +
+             short_number(joined.farthest_landed) + " away.",
+         joined.landed_at);
   if (joined.doubled > 0)
     warn(warnings, ErrorCode::overlapping_edges,
          "Edges drawn more than once were taken once: " + std::to_string(joined.doubled) + ".",
@@ -199,10 +219,12 @@ Error open_chain_error(const Drawing& drawing, const NestedFaces& nested, double
   const Index own = at_end ? open->points.front() : open->points.back();
   const Vec2 at = drawing.lines.points[p];
   std::string message = "The outline is open at (" + number_text(at.x) + ", " + number_text(at.y) +
-                        "): nothing else ends within " + number_text(tolerance) + " of it";
-  const double nearest = nearest_end(drawing, degree, p, own);
-  if (nearest < HUGE_VAL)
-    message += "; the nearest other open end is " + number_text(nearest) + " away";
+                        "): nothing else ends within " + short_number(tolerance) + " of it";
+  const double end = nearest_end(drawing, degree, p, own), line = nearest_line(drawing.lines, p);
+  if (end < HUGE_VAL) message += "; the nearest other open end is " + short_number(end) + " away";
+  if (line < end)
+    message += "; the nearest line is " + short_number(line) +
+               " away, and would be divided where something ends on it";
   const LineWork::Edge& edge =
       drawing.lines.edges[at_end ? open->edges.back() : open->edges.front()];
   Error error{ErrorCode::parse_error, message + ". Close it in the drawing.", {}};

@@ -43,8 +43,9 @@ inline bool is_too_many(const LineWork& lines, std::size_t bytes) {
 /// The larger side of the box around the points; 0 without points.
 double drawing_size(const LineWork& lines);
 
-/// Joins the points, with warnings about gaps larger than rounding (1e-9 of the size) and about
-/// edges drawn twice. `bytes` is the size of the text. Errors: non_finite, too_large.
+/// Joins the points, with warnings about gaps larger than rounding (1e-9 of the size), between
+/// points and from points to lines, and about edges drawn twice. `bytes` is the size of the text.
+/// Errors: non_finite, too_large.
 Result<int> join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
                          std::vector<Warning>& warnings);
 

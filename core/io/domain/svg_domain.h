@@ -1,9 +1,10 @@
 // Domains from SVG (W3C, Scalable Vector Graphics 1.1, second edition, and SVG 2).
 // Outlines are the closed subpaths of <path>, <rect>, <circle>, <ellipse> and <polygon>, and of
-// <polyline> and open paths where filling closes them; the fill itself is not looked at otherwise.
-// All outlines together follow the even-odd rule: within an outline is material, within the next
-// one a hole, within that an island. Open pieces that are not filled (fill none, <line>) are joined
-// at their ends; what closes is an outline, what stays open inside becomes a polyline.
+// <polyline> and open paths where filling closes them; the fill itself is not looked at
+// otherwise. All outlines together follow the even-odd rule: within an outline is material,
+// within the next one a hole, within that an island. Open pieces that are not filled (fill none,
+// <line>) are joined at their ends, and lines are divided where others end on them; what closes
+// is an outline, what stays open inside becomes a polyline.
 // An element's id becomes the name of its region and the tag of its edges, or the id of the <use>
 // that draws it. <use> draws elements of the same file, also <symbol> and what is in <defs>; where
 // it gives a width and a height, a <symbol> fills these with its viewBox.
