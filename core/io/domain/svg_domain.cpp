@@ -21,6 +21,8 @@ class SvgReader {
 
  private:
   void flatten();
+  void warn(bool applies, std::string message);
+  void warn_of_elements();
   Result<DomainFile> finish();
 
   std::string_view text_;
@@ -49,15 +51,21 @@ void SvgReader::flatten() {
   }
 }
 
+void SvgReader::warn(bool applies, std::string message) {
+  if (applies) file_.warnings.push_back({ErrorCode::parse_error, std::move(message), {}});
+}
+
+void SvgReader::warn_of_elements() {
+  warn(closed_by_fill_ > 0,
+       "Open paths were closed, as their fill is: " + std::to_string(closed_by_fill_) + ".");
+  warn(found_.left_out.any(), "Left out: " + found_.left_out.text() + ".");
+  warn(found_.unread_rules > 0,
+       "Style rules for more than a name, a class or an id were left out: " +
+           std::to_string(found_.unread_rules) + ".");
+}
+
 Result<DomainFile> SvgReader::finish() {
-  if (closed_by_fill_ > 0)
-    file_.warnings.push_back(
-        {ErrorCode::parse_error,
-         "Open paths were closed, as their fill is: " + std::to_string(closed_by_fill_) + ".",
-         {}});
-  if (found_.left_out.any())
-    file_.warnings.push_back(
-        {ErrorCode::parse_error, "Left out: " + found_.left_out.text() + ".", {}});
+  warn_of_elements();
   const double tolerance = join_tolerance * drawing_size(drawing_.lines);
   const auto joined = join_drawing(drawing_, text_.size(), tolerance, file_.warnings);
   if (!joined) return joined.error();
@@ -68,11 +76,8 @@ Result<DomainFile> SvgReader::finish() {
   }
   const auto name = [&](Index f) { return common_name(drawing_, nested.planar.faces[f]); };
   const Index outside = add_regions(drawing_, nested, even_faces(nested), name, file_.domain);
-  if (outside > 0)
-    file_.warnings.push_back(
-        {ErrorCode::parse_error,
-         "Open lines outside all regions were left out: " + std::to_string(outside) + ".",
-         {}});
+  warn(outside > 0,
+       "Open lines outside all regions were left out: " + std::to_string(outside) + ".");
   return std::move(file_);
 }
 

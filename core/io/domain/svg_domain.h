@@ -11,8 +11,9 @@
 // y points up in a mesh: every y is negated, after all transforms. viewBox, width, height and units
 // of the page are ignored: coordinates are the drawing's own ("user units").
 // Left out without a word: <clipPath>, <mask>, <pattern>, <marker>, display none and visibility
-// hidden; with a warning: <text>, <image>, <use> of other files. Style sheets (<style>) are not
-// read.
+// hidden; with a warning: <text>, <image>, <use> of other files. Of style sheets
+// (<style>), rules for display, visibility and fill are read whose selectors are a name, a class or
+// an id.
 #pragma once
 
 #include <string_view>

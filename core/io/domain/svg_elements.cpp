@@ -30,7 +30,7 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> li
 class SvgWalker {
  public:
   SvgWalker(std::string_view text, Drawing& drawing)
-      : text_(text), xml_(text), around_(1), drawing_(drawing) {
+      : text_(text), xml_(text), sheet_(text), around_(1), drawing_(drawing) {
     for (std::size_t i = text.find('\n'); i != std::string_view::npos; i = text.find('\n', i + 1))
       line_ends_.push_back(i);
   }
@@ -39,6 +39,7 @@ class SvgWalker {
     while (step()) {
     }
     if (error_) return *error_;
+    found_.unread_rules = sheet_.unread();
     return std::move(found_);
   }
 
@@ -80,6 +81,7 @@ class SvgWalker {
 
   std::string_view text_;
   XmlReader xml_;
+  StyleSheet sheet_;
   std::vector<Inherited> around_;
   std::vector<Copy> copies_;  // outermost first
   bool at_target_ = false;    // the next tag is that of an element for a <use>
@@ -118,7 +120,7 @@ void SvgWalker::open_element() {
     const bool held_back = is_one_of(name, {"defs", "clipPath", "mask", "pattern", "marker",
                                             "metadata", "foreignObject", "style", "script"}) ||
                            (name == "symbol" && !is_target);
-    own.drawn = svg_property(xml_, "display") != "none" && !held_back;
+    own.drawn = svg_property(xml_, sheet_, "display") != "none" && !held_back;
     if (is_one_of(name, {"text", "image", "foreignObject"})) found_.left_out.add(name);
   }
   if (own.drawn) {
@@ -134,9 +136,9 @@ void SvgWalker::open_element() {
 }
 
 void SvgWalker::read_properties(Inherited& own, bool is_target) {
-  const std::string fill = svg_property(xml_, "fill");
+  const std::string fill = svg_property(xml_, sheet_, "fill");
   if (!fill.empty() && fill != "inherit") own.filled = fill != "none" && fill != "transparent";
-  const std::string visibility = svg_property(xml_, "visibility");
+  const std::string visibility = svg_property(xml_, sheet_, "visibility");
   if (!visibility.empty() && visibility != "inherit") own.visible = visibility == "visible";
   if (const XmlAttribute* transform = xml_.find("transform"))
     accept(*transform, read_transform(xml_value(transform->raw), own.map));

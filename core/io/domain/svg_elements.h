@@ -19,7 +19,8 @@ struct SvgOutline {
 
 struct SvgOutlines {
   std::vector<SvgOutline> outlines;
-  Counter left_out;  // elements that draw what is not read
+  Counter left_out;        // elements that draw what is not read
+  Index unread_rules = 0;  // of style sheets, about what is drawn and filled (svg_style.h)
 };
 
 /// <use> of elements with <use>, at most.
