@@ -149,6 +149,13 @@ TEST_CASE("a line from wall to wall divides the plate, and an open end tells wha
   const Error open = refusal(dxf(plate + "0 LINE 10 1 20 0 11 1 21 3.5"), DomainFormat::dxf);
   CHECK(open.where.y == 3.5);
   CHECK(open.message.find("the nearest line is 0.5 away") != std::string::npos);
+  const Error along =
+      refusal(dxf(open_square + "0 LINE 10 0 20 4 11 0 21 1 0 LINE 10 0 20 2 11 0 21 0"),
+              DomainFormat::dxf);
+  CHECK(along.message.find("lies on a line that runs along its own") != std::string::npos);
+  const Error bridge =
+      refusal(dxf(plate + "0 CIRCLE 10 2 20 2 40 1 0 LINE 10 0 20 2 11 1 21 2"), DomainFormat::dxf);
+  CHECK(bridge.message.find("leads from outline to outline") != std::string::npos);
 }
 
 TEST_CASE("layers become tags and names; lines that divide make neighbours") {

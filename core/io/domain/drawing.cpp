@@ -92,6 +92,33 @@ double nearest_end(const Drawing& drawing, const std::vector<Index>& degree, Ind
   return nearest;
 }
 
+std::string place_text(Vec2 p) { return "(" + number_text(p.x) + ", " + number_text(p.y) + ")"; }
+
+/// What is around the open end p of a chain whose other end is `own`.
+std::string open_end_text(const Drawing& drawing, const std::vector<Index>& degree, Index p,
+                          Index own, double tolerance) {
+  std::string text = "The outline is open at " + place_text(drawing.lines.points[p]) +
+                     ": nothing else ends within " + short_number(tolerance) + " of it";
+  const double end = nearest_end(drawing, degree, p, own), line = nearest_line(drawing.lines, p);
+  if (end < HUGE_VAL) text += "; the nearest other open end is " + short_number(end) + " away";
+  if (line <= tolerance) {
+    text += "; it lies on a line that runs along its own";
+  } else if (line < end) {
+    text += "; the nearest line is " + short_number(line) +
+            " away, and would be divided where something ends on it";
+  }
+  return text + ". Close it in the drawing.";
+}
+
+Error error_at_edge(const Drawing& drawing, Index edge, Index point, std::string message) {
+  const Drawing::Source& source = drawing.sources[drawing.lines.edges[edge].source];
+  Error error{ErrorCode::parse_error, std::move(message), {}};
+  error.where.line = source.line;
+  error.where.byte = source.byte;
+  set_point(error.where, drawing.lines.points[point]);
+  return error;
+}
+
 }  // namespace
 
 Index Drawing::add_source(std::string_view name, std::int64_t line, std::int64_t byte) {
@@ -206,32 +233,20 @@ std::string common_name(const Drawing& drawing, const Walk& walk) {
 
 Error open_chain_error(const Drawing& drawing, const NestedFaces& nested, double tolerance) {
   const std::vector<Index> degree = degrees(drawing.lines);
-  const Walk* open = nullptr;
-  bool at_end = false;
   for (const Walk& chain : nested.planar.chains) {
-    at_end = degree[chain.points.front()] != 1;
-    if (at_end && degree[chain.points.back()] != 1) continue;
-    open = &chain;
-    break;
+    const Index first = chain.points.front(), last = chain.points.back();
+    const bool at_end = degree[first] != 1;
+    if (at_end && degree[last] != 1) continue;
+    return error_at_edge(
+        drawing, at_end ? chain.edges.back() : chain.edges.front(), at_end ? last : first,
+        open_end_text(drawing, degree, at_end ? last : first, at_end ? first : last, tolerance));
   }
-  if (open == nullptr) open = &nested.planar.chains.front();  // a bridge between closed outlines
-  const Index p = at_end ? open->points.back() : open->points.front();
-  const Index own = at_end ? open->points.front() : open->points.back();
-  const Vec2 at = drawing.lines.points[p];
-  std::string message = "The outline is open at (" + number_text(at.x) + ", " + number_text(at.y) +
-                        "): nothing else ends within " + short_number(tolerance) + " of it";
-  const double end = nearest_end(drawing, degree, p, own), line = nearest_line(drawing.lines, p);
-  if (end < HUGE_VAL) message += "; the nearest other open end is " + short_number(end) + " away";
-  if (line < end)
-    message += "; the nearest line is " + short_number(line) +
-               " away, and would be divided where something ends on it";
-  const LineWork::Edge& edge =
-      drawing.lines.edges[at_end ? open->edges.back() : open->edges.front()];
-  Error error{ErrorCode::parse_error, message + ". Close it in the drawing.", {}};
-  error.where.line = drawing.sources[edge.source].line;
-  error.where.byte = drawing.sources[edge.source].byte;
-  set_point(error.where, at);
-  return error;
+  const Walk& bridge = nested.planar.chains.front();
+  return error_at_edge(drawing, bridge.edges.front(), bridge.points.front(),
+                       "The line that begins at " +
+                           place_text(drawing.lines.points[bridge.points.front()]) +
+                           " leads from outline to outline and divides nothing. Remove it from "
+                           "the drawing.");
 }
 
 void Counter::add(std::string_view name) {
