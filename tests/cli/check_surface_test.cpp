@@ -76,8 +76,7 @@ TEST_CASE("a surface is welded for check as it is for mesh") {
   const ScratchFolder folder("check_weld");
   // A cube of side 2 whose lid does not quite meet its walls.
   std::string loose = cube_obj();
-  loose.insert(loose.find("g ends"),
-               "v 0 0 2.001\nv 2 0 2.001\nv 2 2 2.001\nv 0 2 2.001\n");
+  loose.insert(loose.find("g ends"), "v 0 0 2.001\nv 2 0 2.001\nv 2 2 2.001\nv 0 2 2.001\n");
   loose.replace(loose.find("f 5 6 7 8"), 9, "f 9 10 11 12");
   const std::string surface = folder.write("loose.obj", loose), mesh = folder / "mesh.obj";
   REQUIRE(run({"mesh", surface, "-o", mesh, "--size", "0.5", "--weld", "0.001", "--quiet"}).code ==
