@@ -15,6 +15,10 @@
 
 namespace lpq {
 
+/// Of surfaces that are repaired but not meshed.
+inline constexpr FieldInfo weld_info{0, 0.01, "",
+                                     "Points nearer than this share of the diagonal become one."};
+
 /// What `lpquad mesh` reads and writes. "" = not asked for.
 struct MeshFiles {
   std::string output, report, stages, svg, uv;
@@ -47,6 +51,7 @@ void each_field(O& o, F&& visit) {
 
 struct CheckFiles {
   std::string domain, surface;
+  double weld = SurfaceOptions{}.weld;
   bool quiet = false;
 };
 
@@ -59,6 +64,7 @@ void each_field(O& o, F&& visit) {
   visit("surface", o.surface,
         FieldInfo{0, 0, "file",
                   "The surface it should be a mesh of: topology and distances are compared."});
+  visit("weld", o.weld, weld_info);
   visit("quiet", o.quiet, FieldInfo{0, 0, "", "Print nothing but errors."});
 }
 
@@ -77,8 +83,7 @@ void each_field(O& o, F&& visit) {
   visit("size", o.size,
         FieldInfo{0, 1e300, "length",
                   "Of the quads to come: triangles of CAD files are fine enough for it."});
-  visit("weld", o.weld,
-        FieldInfo{0, 0.01, "", "Points nearer than this share of the diagonal become one."});
+  visit("weld", o.weld, weld_info);
   visit("quiet", o.quiet, FieldInfo{0, 0, "", "Print nothing but errors."});
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "cli/args.h"
+#include "cli/check_outline.h"
 #include "cli/check_surface.h"
 #include "cli/commands.h"
 #include "cli/expected_boundary.h"
@@ -71,11 +72,18 @@ int invalid(const std::string& name, const std::string& violations, const CliStr
   return exit_invalid;
 }
 
+/// What the violations have in common, if all faces share it.
+std::string common_cause(const QuadMesh& mesh, const QuadQuality& quality) {
+  if (quality.inverted == 0 || quality.inverted < static_cast<Index>(mesh.faces.size())) return {};
+  return "  Every face runs clockwise; faces should run counter-clockwise.\n";
+}
+
 /// The verdict on a mesh in the plane; `domain` is null where only the mesh itself is judged.
 int judge_plane(const std::string& name, const OutputMesh& mesh, const Domain* domain, bool quiet,
                 const CliStreams& streams) {
   QuadMesh plain = plain_mesh(mesh);
-  std::string text = quality_text(quad_quality(plain));
+  const QuadQuality quality = quad_quality(plain);
+  std::string text = quality_text(quality);
   std::vector<std::array<Index, 2>> outline;
   if (domain != nullptr) {
     auto match = match_boundary(*domain, mesh);
@@ -90,10 +98,12 @@ int judge_plane(const std::string& name, const OutputMesh& mesh, const Domain* d
   } else {
     outline = own_outline(mesh);
   }
-  const std::vector<Violation> violations = validate(plain, {outline});
+  std::vector<Violation> violations = validate(plain, {outline});
+  if (violations.empty() && domain == nullptr)
+    violations = check_own_outline(plain.points, outline);
   if (!quiet) streams.out(name + "\n" + text + (violations.empty() ? "valid         yes\n" : ""));
   if (violations.empty()) return exit_done;
-  std::string lines;
+  std::string lines = common_cause(plain, quality);
   for (const Violation& violation : violations) lines += violation_text(violation);
   return invalid(name, lines, streams);
 }
@@ -131,6 +141,9 @@ int judge(const std::string& name, const References& wanted, bool quiet,
 
 /// False, with the error printed, where one cannot be read.
 bool load_references(const CheckFiles& files, const CliStreams& streams, References& wanted) {
+  const auto load_repaired = [&](const std::string& name) {
+    return load_surface(name, files.weld);
+  };
   const auto load = [&](const std::string& name, auto&& loader, auto& target) {
     if (name.empty()) return true;
     auto loaded = loader(name);
@@ -142,7 +155,7 @@ bool load_references(const CheckFiles& files, const CliStreams& streams, Referen
     return loaded.has_value();
   };
   return load(files.domain, load_domain, wanted.domain) &&
-         load(files.surface, load_surface, wanted.surface);
+         load(files.surface, load_repaired, wanted.surface);
 }
 
 std::optional<Error> misuse(const CheckArgs& args) {

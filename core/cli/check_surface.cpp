@@ -128,12 +128,12 @@ ShellVerdict judge_shell(const OutputMesh& mesh, const SurfaceMesh* surface) {
   return judge.take();
 }
 
-Result<SurfaceMesh> load_surface(const std::string& name) {
+Result<SurfaceMesh> load_surface(const std::string& name, double weld) {
   const auto bytes = read_input(name, 0);
   if (!bytes) return bytes.error();
   auto soup = read_surface_file(name, *bytes);
   if (!soup) return soup.error();
-  auto repaired = repair_surface(std::move(*soup));
+  auto repaired = repair_surface(std::move(*soup), {.weld = weld});
   if (!repaired) return repaired.error();
   return std::move(repaired->mesh);
 }

@@ -18,7 +18,8 @@ struct ShellVerdict {
 /// together as that does, and how far they lie apart.
 ShellVerdict judge_shell(const OutputMesh& mesh, const SurfaceMesh* surface);
 
-/// Reads and repairs the surface of a file. Errors: those of the readers and of repair_surface.
-Result<SurfaceMesh> load_surface(const std::string& name);
+/// Reads and repairs the surface of a file; `weld` as in RepairOptions. Errors: those of the
+/// readers and of repair_surface.
+Result<SurfaceMesh> load_surface(const std::string& name, double weld);
 
 }  // namespace lpq

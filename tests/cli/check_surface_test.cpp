@@ -72,6 +72,20 @@ TEST_CASE("what is wrong with a mesh in space is said") {
   CHECK(contains(away.err, "The surface goes farther from the mesh"));
 }
 
+TEST_CASE("a surface is welded for check as it is for mesh") {
+  const ScratchFolder folder("check_weld");
+  // A cube of side 2 whose lid does not quite meet its walls.
+  std::string loose = cube_obj();
+  loose.insert(loose.find("g ends"), "v 0 0 2.001\nv 2 0 2.001\nv 2 2 2.001\nv 0 2 2.001\n");
+  loose.replace(loose.find("f 5 6 7 8"), 9, "f 9 10 11 12");
+  const std::string surface = folder.write("loose.obj", loose), mesh = folder / "mesh.obj";
+  REQUIRE(run({"mesh", surface, "-o", mesh, "--size", "0.5", "--weld", "0.001", "--quiet"}).code ==
+          0);
+  CHECK(run({"check", mesh, "--surface", surface, "--weld", "0.001"}).code == 0);
+  CHECK(run({"check", mesh, "--surface", surface}).code == 1);
+  CHECK(run({"check", mesh, "--surface", surface, "--weld", "1"}).code == 2);
+}
+
 TEST_CASE("references that do not fit are refused in words") {
   const ScratchFolder folder("check_surface_refused");
   const std::string cube = folder.write("cube.obj", cube_obj());

@@ -138,6 +138,26 @@ TEST_CASE("entities are joined into loops whatever their order and direction") {
   CHECK(open.message.find("0.1") != std::string::npos);
 }
 
+TEST_CASE("a line from wall to wall divides the plate, and an open end tells what is near") {
+  const std::string plate = open_square + "0 LINE 10 0 20 0 11 0 21 4 ";
+  const auto two = read_dxf(plate + "0 LINE 8 rib 10 1 20 0 11 1 21 4");
+  REQUIRE(two.domain.regions.size() == 2);
+  CHECK(two.warnings.empty());
+  CHECK(total_area(two.domain) == 16);
+  CHECK(make_domain(two.domain).has_value());
+  CHECK(read_dxf(plate + "0 LINE 10 1 20 0.00003 11 1 21 4").warnings.size() == 1);
+  const Error open = refusal(dxf(plate + "0 LINE 10 1 20 0 11 1 21 3.5"), DomainFormat::dxf);
+  CHECK(open.where.y == 3.5);
+  CHECK(open.message.find("the nearest line is 0.5 away") != std::string::npos);
+  const Error along =
+      refusal(dxf(open_square + "0 LINE 10 0 20 4 11 0 21 1 0 LINE 10 0 20 2 11 0 21 0"),
+              DomainFormat::dxf);
+  CHECK(along.message.find("lies on a line that runs along its own") != std::string::npos);
+  const Error bridge =
+      refusal(dxf(plate + "0 CIRCLE 10 2 20 2 40 1 0 LINE 10 0 20 2 11 1 21 2"), DomainFormat::dxf);
+  CHECK(bridge.message.find("leads from outline to outline") != std::string::npos);
+}
+
 TEST_CASE("layers become tags and names; lines that divide make neighbours") {
   const auto file = read_dxf(
       "0 LWPOLYLINE 8 steel 70 1 10 0 20 0 10 4 20 0 10 4 20 4 10 0 20 4 "
@@ -158,11 +178,11 @@ TEST_CASE("layers become tags and names; lines that divide make neighbours") {
 
 TEST_CASE("what DXF leaves out is counted") {
   const auto file = read_dxf(
-      "0 CIRCLE 10 0 20 0 30 5 40 1 0 INSERT 2 x 66 1 0 ATTRIB 1 y 0 SEQEND "
+      "0 CIRCLE 10 0 20 0 30 5 40 1 0 INSERT 2 x 10 0 20 0 66 1 0 ATTRIB 1 y 0 SEQEND "
       "0 TEXT 1 z 0 TEXT 1 z 0 CIRCLE 67 1 10 0 20 0 40 9");
   REQUIRE(file.warnings.size() == 3);
   CHECK(file.warnings[0].message == "Curves in paper space were left out: 1.");
-  CHECK(file.warnings[1].message == "Left out: 1 INSERT and 2 TEXT.");
+  CHECK(file.warnings[1].message == "Left out: 1 INSERT without its block and 2 TEXT.");
   CHECK(file.warnings[2].message.find("z other than 0") != std::string::npos);
   CHECK(file.domain.regions[0].loops.size() == 1);
   const auto paper = read_dxf("0 CIRCLE 67 1 10 0 20 0 40 9");

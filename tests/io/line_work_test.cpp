@@ -116,6 +116,41 @@ TEST_CASE("ends within the tolerance meet, short edges and closed outlines stay"
   CHECK(planar.faces[1].points.size() == 4);
 }
 
+TEST_CASE("lines are divided where others end on them") {
+  const auto joined_faces = [](const std::vector<std::vector<Vec2>>& open, double tolerance,
+                               Joined& joined) {
+    LineWork lines;
+    lines.add(square(0, 0, 4), true, 0);
+    for (const auto& line : open) lines.add(line, false, 1);
+    joined = join_points(lines, tolerance);
+    const PlanarFaces planar = find_faces(lines);
+    double sum = 0;
+    for (const Walk& walk : planar.faces) sum += area_of(walk, lines);
+    CHECK(std::abs(sum - 16) < 1e-2);
+    return std::pair(planar.faces.size(), planar.chains.size());
+  };
+  using Counts = std::pair<std::size_t, std::size_t>;
+  Joined joined;
+  // Two lines from wall to wall, one of them also the end of a third; a fourth ends in the air.
+  const std::vector<std::vector<Vec2>> ribs{
+      {{1, 0}, {1, 4}}, {{4, 3}, {1, 3}}, {{3, 3}, {3, 4}}, {{2, 0}, {2, 1}}};
+  CHECK(joined_faces(ribs, 1e-4, joined) == Counts{4, 1});
+  CHECK(joined.landed == 7);
+  CHECK(joined.farthest_landed == 0);
+  // Two lines that end at one point of a third, from both sides.
+  CHECK(joined_faces({{{0, 2}, {4, 2}}, {{2, 0}, {2, 2}}, {{2, 4}, {2, 2}}}, 1e-4, joined) ==
+        Counts{4, 0});
+  CHECK(joined_faces({{{1, 5e-5}, {1, 3.99995}}}, 1e-4, joined) == Counts{2, 0});
+  CHECK(joined.farthest_landed > 4e-5);
+  CHECK(joined.landed_at.x == 1);
+  CHECK(joined_faces({{{1, 2e-4}, {1, 4}}}, 1e-4, joined) == Counts{1, 1});
+  CHECK(joined_faces({{{1, 0}, {1, 4}}}, 0, joined) == Counts{1, 1});
+  // What runs along an edge is not taken apart, nor what hangs on its end.
+  CHECK(joined_faces({{{1, 0}, {2, 0}, {2, 1}}}, 1e-4, joined).first == 1);
+  CHECK(joined.landed == 0);
+  CHECK(joined_faces({{{4, 0}, {3.5, 5e-5}}}, 1e-4, joined) == Counts{1, 1});
+}
+
 TEST_CASE("a curve drawn twice with rounding is one") {
   LineWork lines;
   std::vector<Vec2> arc, again;

@@ -207,7 +207,7 @@ TEST_CASE("what is not drawn, not filled or not closed") {
             .loops.size() == 1);
   const auto used = read_svg(plate + "<use href='#a'/><text>x</text><use/>");
   REQUIRE(used.warnings.size() == 1);
-  CHECK(used.warnings[0].message == "Left out: 2 use and 1 text.");
+  CHECK(used.warnings[0].message == "Left out: 2 use without its element and 1 text.");
   // Open and not filled: a polyline inside; where ends meet, an outline.
   const auto crack =
       read_svg(plate +
@@ -224,6 +224,57 @@ TEST_CASE("what is not drawn, not filled or not closed") {
   const auto closed = read_svg(plate + "<path d='M1 1h2v2'/>");
   CHECK(region_area(closed.domain.regions[0]) == 81 - 2);
   CHECK(closed.warnings.size() == 1);
+}
+
+TEST_CASE("what is hidden is not drawn, and visibility can come back inside") {
+  const auto holes = [](const std::string& content) {
+    const auto file = read_svg("<rect width='9' height='9'/>" + content);
+    return file.domain.regions.at(0).loops.size() - 1;
+  };
+  const std::string disc = "<circle cx='4' cy='4' r='1'/>";
+  CHECK(holes("<g visibility='visible'>" + disc + "</g>") == 1);
+  CHECK(holes("<g visibility='hidden'>" + disc + "</g>") == 0);
+  CHECK(holes("<g style='visibility:collapse'>" + disc + "</g>") == 0);
+  CHECK(holes("<g visibility='hidden'><g visibility='inherit'>" + disc + "</g></g>") == 0);
+  CHECK(holes("<g visibility='hidden'><g style='visibility:visible'>" + disc + "</g></g>") == 1);
+  CHECK(holes("<g display='none'><g display='inline'>" + disc + "</g></g>") == 0);
+}
+
+TEST_CASE("style sheets hide and fill by name, class and id") {
+  const auto read = [](const std::string& sheet, const std::string& shapes) {
+    return read_svg("<style>" + sheet + "</style><rect width='9' height='9'/>" + shapes);
+  };
+  const auto holes = [&](const std::string& sheet, const std::string& attributes) {
+    const auto file = read(sheet, "<circle cx='4' cy='4' r='1' " + attributes + "/>");
+    CHECK(file.warnings.empty());
+    return file.domain.regions.at(0).loops.size() - 1;
+  };
+  CHECK(holes(".a{display:none}", "") == 1);
+  CHECK(holes(".a{display:none}", "class='a'") == 0);
+  CHECK(holes(".a{display:none}", "class='b\ta c'") == 0);
+  CHECK(holes(".a.b{display:none}", "class='a'") == 1);
+  const std::string several = "line , circle.a { stroke:red; visibility : hidden !important } ";
+  CHECK(holes(several, "class='b'") == 1);
+  CHECK(holes(several, "class='a'") == 0);
+  CHECK(holes("/*", "") + holes("/**", "") + holes(".a{", "class='a'") + holes("}", "") == 4);
+  CHECK(holes("#x{visibility:hidden}", "id='x'") == 0);
+  CHECK(holes("circle{display:none}", "") == 0);
+  CHECK(holes("circle{display:none}", "display='inline'") == 0);
+  CHECK(holes("circle{display:none}", "style='display:inline'") == 1);
+  // The more special selector wins, the later one of equals.
+  CHECK(holes(".a{display:none}circle{display:inline}", "class='a'") == 0);
+  CHECK(holes("#x{display:inline}.a{display:none}", "class='a' id='x'") == 1);
+  CHECK(holes(".a{display:none}.b{display:inline}", "class='b a'") == 1);
+  CHECK(holes(".b{display:inline}.a{display:none}", "class='b a'") == 0);
+  CHECK(holes("<![CDATA[/* .a{} */ @import url(x); @media print{.a{display:inline}} "
+              ".a{display:none}]]>",
+              "class='a'") == 0);
+  CHECK(holes("@font-face{font-family:x}.c:hover{stroke:red}.a{display:none", "class='a'") == 0);
+  CHECK(read(".k{fill:none}", "<path class='k' d='M1 1L2 2 3 1'/>").domain.polylines.size() == 1);
+  const auto partly = read("g .a, .a:hover, [x]{display:none}", "");
+  REQUIRE(partly.warnings.size() == 1);
+  CHECK(partly.warnings[0].message ==
+        "Style rules for more than a name, a class or an id were left out: 3.");
 }
 
 TEST_CASE("SVG that is none, or has nothing to mesh") {

@@ -62,12 +62,16 @@ inline bool is_well_formed(const lpq::DomainInput& input) {
   return true;
 }
 
-/// A line of DXF groups: {"10", "0"} and so on, a group a line here.
-inline std::string dxf(const std::string& entities) {
-  std::string groups =
-      "0 SECTION 2 ENTITIES " + entities + (entities.empty() ? "" : " ") + "0 ENDSEC 0 EOF";
+/// DXF from a line of groups, "10 0" and so on; `before` are whole sections.
+inline std::string dxf(const std::string& entities, const std::string& before = {}) {
+  std::string groups = before + (before.empty() ? "" : " ") + "0 SECTION 2 ENTITIES " + entities +
+                       (entities.empty() ? "" : " ") + "0 ENDSEC 0 EOF";
   std::replace(groups.begin(), groups.end(), ' ', '\n');
   return groups + "\n";
+}
+/// The BLOCKS section with these blocks.
+inline std::string dxf_blocks(const std::string& blocks) {
+  return "0 SECTION 2 BLOCKS " + blocks + " 0 ENDSEC";
 }
 
 inline std::string svg(const std::string& content) {

@@ -11,6 +11,7 @@
 #include "io/domain/svg_domain.h"
 #include "io/mesh_text.h"
 #include "io/number.h"
+#include "io/text_place.h"
 
 namespace lpq {
 namespace {
@@ -73,12 +74,9 @@ std::optional<DomainFormat> domain_format_by_content(std::string_view text) {
 }
 
 Result<DomainFile> read_domain(std::string_view text, DomainFormat format) {
+  if (auto wide = refuse_utf16(text)) return *std::move(wide);
   switch (format) {
-    case DomainFormat::json: {
-      auto domain = parse_domain_json(text);
-      if (!domain) return domain.error();
-      return DomainFile{*std::move(domain), {}};
-    }
+    case DomainFormat::json: return read_json_domain(text);
     case DomainFormat::geojson: return read_geojson_domain(text);
     case DomainFormat::svg: return read_svg_domain(text);
     case DomainFormat::poly: return read_poly_domain(text);
@@ -89,6 +87,7 @@ Result<DomainFile> read_domain(std::string_view text, DomainFormat format) {
 }
 
 Result<DomainFile> read_domain_file(std::string_view file_name, std::string_view text) {
+  if (auto wide = refuse_utf16(text)) return *std::move(wide);
   if (same_letters(ending_of(file_name), "geo"))
     return Error{ErrorCode::parse_error,
                  "Gmsh's .geo scripts cannot be read. Mesh the curves with Gmsh (gmsh -1) and give "

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/words.h"
+#include "geometry/segment.h"
 #include "io/number.h"
 
 namespace lpq {
@@ -69,6 +71,17 @@ std::vector<Index> degrees(const LineWork& lines) {
   return degree;
 }
 
+/// The distance from point p to the nearest edge that is not its own.
+double nearest_line(const LineWork& lines, Index p) {
+  double nearest = HUGE_VAL;
+  const Vec2 at = lines.points[p];
+  for (const LineWork::Edge& edge : lines.edges)
+    if (edge.a != p && edge.b != p)
+      nearest = std::min(
+          nearest, distance(at, closest_point(at, lines.points[edge.a], lines.points[edge.b])));
+  return nearest;
+}
+
 /// The distance from point p to the nearest other loose end that is not the far end of its chain.
 double nearest_end(const Drawing& drawing, const std::vector<Index>& degree, Index p, Index own) {
   double nearest = HUGE_VAL;
@@ -77,6 +90,33 @@ double nearest_end(const Drawing& drawing, const std::vector<Index>& degree, Ind
     nearest = std::min(nearest, distance(drawing.lines.points[i], drawing.lines.points[p]));
   }
   return nearest;
+}
+
+std::string place_text(Vec2 p) { return "(" + number_text(p.x) + ", " + number_text(p.y) + ")"; }
+
+/// What is around the open end p of a chain whose other end is `own`.
+std::string open_end_text(const Drawing& drawing, const std::vector<Index>& degree, Index p,
+                          Index own, double tolerance) {
+  std::string text = "The outline is open at " + place_text(drawing.lines.points[p]) +
+                     ": nothing else ends within " + short_number(tolerance) + " of it";
+  const double end = nearest_end(drawing, degree, p, own), line = nearest_line(drawing.lines, p);
+  if (end < HUGE_VAL) text += "; the nearest other open end is " + short_number(end) + " away";
+  if (line <= tolerance) {
+    text += "; it lies on a line that runs along its own";
+  } else if (line < end) {
+    text += "; the nearest line is " + short_number(line) +
+            " away, and would be divided where something ends on it";
+  }
+  return text + ". Close it in the drawing.";
+}
+
+Error error_at_edge(const Drawing& drawing, Index edge, Index point, std::string message) {
+  const Drawing::Source& source = drawing.sources[drawing.lines.edges[edge].source];
+  Error error{ErrorCode::parse_error, std::move(message), {}};
+  error.where.line = source.line;
+  error.where.byte = source.byte;
+  set_point(error.where, drawing.lines.points[point]);
+  return error;
 }
 
 }  // namespace
@@ -115,9 +155,16 @@ Result<int> join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
   const Joined joined = join_points(drawing.lines, tolerance);
   if (joined.farthest > rounding * size)
     warn(warnings, ErrorCode::duplicate_point,
-         "Points within " + number_text(tolerance) + " of each other were made one: " +
-             std::to_string(joined.moved) + ", at most " + number_text(joined.farthest) + " apart.",
+         "Points within " + short_number(tolerance) +
+             " of each other were made one: " + std::to_string(joined.moved) + ", at most " +
+             short_number(joined.farthest) + " apart.",
          joined.moved_at);
+  if (joined.farthest_landed > rounding * size)
+    warn(warnings, ErrorCode::touching,
+         "Points within " + short_number(tolerance) +
+             " of a line were made corners of it: " + std::to_string(joined.landed) + ", at most " +
+             short_number(joined.farthest_landed) + " away.",
+         joined.landed_at);
   if (joined.doubled > 0)
     warn(warnings, ErrorCode::overlapping_edges,
          "Edges drawn more than once were taken once: " + std::to_string(joined.doubled) + ".",
@@ -186,30 +233,20 @@ std::string common_name(const Drawing& drawing, const Walk& walk) {
 
 Error open_chain_error(const Drawing& drawing, const NestedFaces& nested, double tolerance) {
   const std::vector<Index> degree = degrees(drawing.lines);
-  const Walk* open = nullptr;
-  bool at_end = false;
   for (const Walk& chain : nested.planar.chains) {
-    at_end = degree[chain.points.front()] != 1;
-    if (at_end && degree[chain.points.back()] != 1) continue;
-    open = &chain;
-    break;
+    const Index first = chain.points.front(), last = chain.points.back();
+    const bool at_end = degree[first] != 1;
+    if (at_end && degree[last] != 1) continue;
+    return error_at_edge(
+        drawing, at_end ? chain.edges.back() : chain.edges.front(), at_end ? last : first,
+        open_end_text(drawing, degree, at_end ? last : first, at_end ? first : last, tolerance));
   }
-  if (open == nullptr) open = &nested.planar.chains.front();  // a bridge between closed outlines
-  const Index p = at_end ? open->points.back() : open->points.front();
-  const Index own = at_end ? open->points.front() : open->points.back();
-  const Vec2 at = drawing.lines.points[p];
-  std::string message = "The outline is open at (" + number_text(at.x) + ", " + number_text(at.y) +
-                        "): nothing else ends within " + number_text(tolerance) + " of it";
-  const double nearest = nearest_end(drawing, degree, p, own);
-  if (nearest < HUGE_VAL)
-    message += "; the nearest other open end is " + number_text(nearest) + " away";
-  const LineWork::Edge& edge =
-      drawing.lines.edges[at_end ? open->edges.back() : open->edges.front()];
-  Error error{ErrorCode::parse_error, message + ". Close it in the drawing.", {}};
-  error.where.line = drawing.sources[edge.source].line;
-  error.where.byte = drawing.sources[edge.source].byte;
-  set_point(error.where, at);
-  return error;
+  const Walk& bridge = nested.planar.chains.front();
+  return error_at_edge(drawing, bridge.edges.front(), bridge.points.front(),
+                       "The line that begins at " +
+                           place_text(drawing.lines.points[bridge.points.front()]) +
+                           " leads from outline to outline and divides nothing. Remove it from "
+                           "the drawing.");
 }
 
 void Counter::add(std::string_view name) {

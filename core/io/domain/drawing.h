@@ -43,8 +43,9 @@ inline bool is_too_many(const LineWork& lines, std::size_t bytes) {
 /// The larger side of the box around the points; 0 without points.
 double drawing_size(const LineWork& lines);
 
-/// Joins the points, with warnings about gaps larger than rounding (1e-9 of the size) and about
-/// edges drawn twice. `bytes` is the size of the text. Errors: non_finite, too_large.
+/// Joins the points, with warnings about gaps larger than rounding (1e-9 of the size), between
+/// points and from points to lines, and about edges drawn twice. `bytes` is the size of the text.
+/// Errors: non_finite, too_large.
 Result<int> join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
                          std::vector<Warning>& warnings);
 
@@ -70,7 +71,8 @@ Index add_regions(const Drawing& drawing, const NestedFaces& nested,
 /// The name that all edges of a face's outline share, else "".
 std::string common_name(const Drawing& drawing, const Walk& walk);
 
-/// The first loose end of the drawing as an error: what is open, and how far the nearest end is.
+/// The first loose end of the drawing as an error: what is open, and how far the nearest end and
+/// the nearest line are; without a loose end, the first line that joins outlines.
 Error open_chain_error(const Drawing& drawing, const NestedFaces& nested, double tolerance);
 
 /// "2 INSERT and 1 TEXT": counted names, in the order of the first of each kind.

@@ -2,11 +2,14 @@
 // Outlines are the LINE, ARC, CIRCLE, ELLIPSE, SPLINE, LWPOLYLINE and POLYLINE entities of model
 // space (of paper space if model space has none), joined where they meet: points of open pieces
 // that are nearer than 1e-5 of the drawing's size to another one become one (a warning says so
-// beyond rounding). Everything must close. The even-odd rule says what is material, as in
-// svg_domain.h; lines that divide an outline make neighbouring regions. A layer other than "0"
-// becomes the tag of its edges, and the name of a region whose outline it holds alone. Coordinates
-// are taken as they are: $INSUNITS is ignored, and z. Other entities (INSERT, TEXT, DIMENSION,
-// HATCH ...) are counted in a warning; blocks are not inserted.
+// beyond rounding), and lines are divided where others end on them. Everything must close. The
+// even-odd rule says what is material, as in svg_domain.h; lines that divide an outline make
+// neighbouring regions. A layer other than "0" becomes the tag of its edges, and the name of a
+// region whose outline it holds alone. Coordinates are taken as they are: $INSUNITS is ignored,
+// and z. Blocks are drawn where INSERT entities put them, scaled, mirrored, turned, in rows and
+// columns, and within other blocks; what a block has on layer "0" is on the layer of its INSERT.
+// What is invisible, or on a layer that is off or frozen, is left out with a warning, and so are
+// other entities (TEXT, DIMENSION, HATCH ...).
 #pragma once
 
 #include <string_view>

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "io/number.h"
 #include "numerics/elementary.h"
 
 namespace lpq {
@@ -12,15 +11,9 @@ namespace {
 
 constexpr double full_turn = 1e-9;  // an arc this near to 2 pi is closed
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-class EntityReader {
+class EntityReader : public DxfFields {
  public:
-  explicit EntityReader(const DxfEntity& entity) : entity_(entity) {}
+  using DxfFields::DxfFields;
 
   Result<std::optional<DxfCurve>> read(const std::vector<DxfEntity>& vertices);
 
@@ -30,44 +23,6 @@ class EntityReader {
     double bulge = 0;
   };
 
-  void fail(std::string message, std::int64_t line, std::int64_t byte) {
-    if (failed_) return;
-    failed_ = true;
-    error_ = {ErrorCode::parse_error, std::move(message), {}};
-    error_.where.line = line;
-    error_.where.byte = byte;
-  }
-  void fail(const std::string& clause) {
-    fail("The " + std::string(entity_.type.substr(0, 40)) + " " + clause + ".", entity_.line,
-         entity_.byte);
-  }
-  double number(const DxfGroup& group) {
-    double value = 0;
-    if (!parse_number(group.value, value))
-      fail(std::string(group.value.substr(0, 40)).append(" is not a number."), group.line,
-           group.byte);
-    return value;
-  }
-  const DxfGroup* find(std::int64_t code) const {
-    for (const DxfGroup& group : entity_.groups)
-      if (group.code == code) return &group;
-    return nullptr;
-  }
-  double optional_number(std::int64_t code, double otherwise) {
-    const DxfGroup* group = find(code);
-    return group == nullptr ? otherwise : number(*group);
-  }
-  double number(std::int64_t code) {
-    const DxfGroup* group = find(code);
-    if (group == nullptr) fail("has no group " + std::to_string(code));
-    return group == nullptr ? 0 : number(*group);
-  }
-  Vec2 point(std::int64_t x_code) { return {number(x_code), number(x_code + 10)}; }
-  unsigned flags() {
-    const double value = optional_number(70, 0);
-    return value >= 0 && value < 65536 ? static_cast<unsigned>(value) : 0;
-  }
-  bool is_mirrored();
   void read_line();
   void read_arc();
   void read_ellipse();
@@ -79,22 +34,8 @@ class EntityReader {
   bool read_spline();
   bool interpolate(std::vector<Vec2> points);
 
-  const DxfEntity& entity_;
   DxfCurve curve_;
-  bool failed_ = false;
-  Error error_;
 };
-
-/// Entities in their own plane: only the drawing's plane itself, seen from above or from below,
-/// where x points the other way (DXF Reference, "Arbitrary Axis Algorithm").
-bool EntityReader::is_mirrored() {
-  const double x = optional_number(210, 0), y = optional_number(220, 0),
-               z = optional_number(230, 1);
-  constexpr double negligible = 1e-9;
-  if (!(std::abs(x) <= negligible * std::abs(z) && std::abs(y) <= negligible * std::abs(z)))
-    fail("does not lie in the xy plane");
-  return z < 0;
-}
 
 void EntityReader::read_line() {
   curve_.path = CurvePath(point(10));
@@ -114,7 +55,7 @@ void EntityReader::add_arc(Vec2 centre, Vec2 zero, Vec2 quarter, double from, do
 void EntityReader::read_arc() {
   Vec2 centre = point(10);
   const double radius = number(40);
-  const bool whole = entity_.type == "CIRCLE";
+  const bool whole = entity().type == "CIRCLE";
   const double from = whole ? 0 : number(50), to = whole ? 360 : number(51);
   const double mirror = is_mirrored() ? -1 : 1;
   if (!(radius > 0)) return fail("has a radius that is not positive");
@@ -156,7 +97,7 @@ void EntityReader::read_ellipse() {
 
 std::vector<EntityReader::Corner> EntityReader::light_corners() {
   std::vector<Corner> corners;
-  for (const DxfGroup& group : entity_.groups) {
+  for (const DxfGroup& group : entity().groups) {
     if (group.code == 10) corners.push_back({{number(group), 0}, 0});
     if (corners.empty()) continue;
     if (group.code == 20) corners.back().point.y = number(group);
@@ -170,13 +111,10 @@ std::vector<EntityReader::Corner> EntityReader::heavy_corners(
   constexpr unsigned frame_point = 16;  // of a spline's control polygon: not on the curve
   std::vector<Corner> corners;
   for (const DxfEntity& vertex : vertices) {
-    EntityReader reader(vertex);
-    const Corner corner{reader.point(10), reader.optional_number(42, 0)};
-    if ((reader.flags() & frame_point) == 0) corners.push_back(corner);
-    if (reader.failed_ && !failed_) {
-      failed_ = true;
-      error_ = reader.error_;
-    }
+    DxfFields fields(vertex);
+    const Corner corner{fields.point(10), fields.optional_number(42, 0)};
+    if ((fields.flags() & frame_point) == 0) corners.push_back(corner);
+    if (fields.failed()) fail(fields.error());
   }
   return corners;
 }
@@ -209,7 +147,7 @@ bool EntityReader::read_spline() {
   std::vector<Vec2> fit;
   const double degree = optional_number(71, 3);
   spline->degree = degree >= 1 && degree <= largest_degree ? static_cast<int>(degree) : 0;
-  for (const DxfGroup& group : entity_.groups) {
+  for (const DxfGroup& group : entity().groups) {
     switch (group.code) {
       case 40: spline->knots.push_back(number(group)); break;
       case 41: spline->weights.push_back(number(group)); break;
@@ -224,7 +162,7 @@ bool EntityReader::read_spline() {
       default: break;
     }
   }
-  if (failed_) return false;
+  if (failed()) return false;
   if (spline->control.empty() && fit.size() > 1) return interpolate(std::move(fit));
   if (const char* problem = spline_problem(*spline)) {
     fail(problem);
@@ -258,41 +196,28 @@ bool EntityReader::interpolate(std::vector<Vec2> points) {
 Result<std::optional<DxfCurve>> EntityReader::read(const std::vector<DxfEntity>& vertices) {
   constexpr unsigned surface_flags = 16 | 64;  // a polygon or polyface mesh
   bool draws = true;
-  if (entity_.type == "LINE") {
+  if (entity().type == "LINE") {
     read_line();
-  } else if (entity_.type == "ARC" || entity_.type == "CIRCLE") {
+  } else if (entity().type == "ARC" || entity().type == "CIRCLE") {
     read_arc();
-  } else if (entity_.type == "ELLIPSE") {
+  } else if (entity().type == "ELLIPSE") {
     read_ellipse();
-  } else if (entity_.type == "SPLINE") {
+  } else if (entity().type == "SPLINE") {
     draws = read_spline();
-  } else if (entity_.type == "LWPOLYLINE") {
+  } else if (entity().type == "LWPOLYLINE") {
     draws = read_corners(light_corners());
   } else {
     draws = (flags() & surface_flags) == 0 && read_corners(heavy_corners(vertices));
   }
-  for (const DxfGroup& group : entity_.groups)
+  for (const DxfGroup& group : entity().groups)
     if (group.code == 30 || group.code == 31 || group.code == 38)
       curve_.has_height = curve_.has_height || number(group) != 0;
-  if (failed_) return error_;
+  if (failed()) return error();
   if (!draws) return std::optional<DxfCurve>();
   return std::optional<DxfCurve>(std::move(curve_));
 }
 
 }  // namespace
-
-bool DxfGroups::next(DxfGroup& group) {
-  if (lines_.at_end()) return false;
-  if (!parse_integer(trimmed(lines_.next()), group.code)) {
-    malformed_ = true;
-    return false;
-  }
-  if (lines_.at_end()) return false;
-  group.value = trimmed(lines_.next());
-  group.line = lines_.line();
-  group.byte = lines_.byte();
-  return true;
-}
 
 bool is_dxf_curve(std::string_view type) {
   for (const std::string_view known :

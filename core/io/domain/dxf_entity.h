@@ -1,45 +1,16 @@
-// DXF as a sequence of group codes and values, and the curves that entities stand for
-// (Autodesk, DXF Reference, "ENTITIES Section").
+// The curves that DXF entities stand for (Autodesk, DXF Reference, "ENTITIES Section").
 #pragma once
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "io/domain/bspline.h"
 #include "io/domain/curves.h"
-#include "io/mesh_text.h"
+#include "io/domain/dxf_groups.h"
 
 namespace lpq {
-
-struct DxfGroup {
-  std::int64_t code = 0;
-  std::string_view value;
-  std::int64_t line = 0, byte = 0;  // of the value
-};
-
-/// Pairs of lines: a group code and its value.
-class DxfGroups {
- public:
-  explicit DxfGroups(std::string_view text) : lines_(text) {}
-  /// False at the end of the text, and where a group code is not a number.
-  bool next(DxfGroup& group);
-  bool is_malformed() const { return malformed_; }
-  Error error(std::string message) const { return lines_.error(std::move(message)); }
-
- private:
-  LineReader lines_;
-  bool malformed_ = false;
-};
-
-/// An entity, and for a POLYLINE its VERTEX entities.
-struct DxfEntity {
-  std::string_view type, layer;
-  std::int64_t line = 0, byte = 0;
-  std::vector<DxfGroup> groups;
-};
 
 struct DxfCurve {
   CurvePath path;

@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "io/domain/json_lists.h"
+#include "io/domain/json_members.h"
 #include "io/domain/json_roles.h"
 #include "io/json_text.h"
 
@@ -21,7 +23,7 @@ class Reader final : public nlohmann::json_sax<nlohmann::json> {
   explicit Reader(JsonText& text) : text_(text) {}
 
   bool run() { return text_.parse(*this); }
-  Result<DomainInput> take() {
+  Result<DomainFile> take() {
     if (failed_) return error_;
     if (!has_loops_ && !has_regions_)
       return fail_value(ErrorCode::parse_error,
@@ -29,7 +31,7 @@ class Reader final : public nlohmann::json_sax<nlohmann::json> {
     if (has_loops_ && has_regions_)
       return fail_value(ErrorCode::parse_error,
                         "The document has both \"loops\" and \"regions\"; give one of them.");
-    return std::move(input_);
+    return DomainFile{std::move(input_), members_.take_warnings()};
   }
   void fail(ErrorCode code, std::string message) { fail_value(code, std::move(message)); }
   bool failed() const { return failed_; }
@@ -49,10 +51,7 @@ class Reader final : public nlohmann::json_sax<nlohmann::json> {
   bool start_array(std::size_t) override { return open(Kind::array); }
   bool end_object() override { return close(); }
   bool end_array() override { return close(); }
-  bool key(string_t& value) override {
-    frames_.back().key = std::move(value);
-    return true;
-  }
+  bool key(string_t& value) override;
   bool parse_error(std::size_t position, const std::string& token,
                    const nlohmann::detail::exception& problem) override;
 
@@ -70,6 +69,7 @@ class Reader final : public nlohmann::json_sax<nlohmann::json> {
   bool number(double value);
   bool open(Kind kind);
   bool close();
+  void store_point(Vec2 point, Role role);
   bool add_size(std::size_t count);
   void in_document_region();
   void create(Role role);
@@ -79,11 +79,19 @@ class Reader final : public nlohmann::json_sax<nlohmann::json> {
   JsonText& text_;
   std::vector<Frame> frames_;
   DomainInput input_;
+  json_domain::Members members_;
   bool has_loops_ = false, has_regions_ = false, failed_ = false;
   bool has_position_ = false;  // of the point being read
   double xyh_[3] = {0, 0, 0};  // of the point being read, and its size
   Error error_;
 };
+
+bool Reader::key(string_t& value) {
+  frames_.back().key = std::move(value);
+  if (members_.add(frames_.back().key, text_)) return true;
+  fail(ErrorCode::parse_error, path() + " is there twice; give it once.");
+  return false;
+}
 
 Role Reader::next_role() const {
   if (frames_.empty()) return Role::document;
@@ -148,6 +156,7 @@ bool Reader::open(Kind kind) {
   }
   create(role);
   frames_.push_back({role, kind == Kind::array, {}, 0});
+  members_.open(role);
   return true;
 }
 
@@ -191,6 +200,7 @@ void Reader::create(Role role) {
 
 bool Reader::close() {
   const Frame frame = std::move(frames_.back());
+  members_.close();
   if (frame.role == Role::point && !frame.is_array && !has_position_) {
     fail(ErrorCode::parse_error, "A point is missing its \"position\": [x, y].");
     return false;
@@ -206,8 +216,12 @@ bool Reader::close() {
                                      std::to_string(frame.count) + " coordinates.");
     return false;
   }
-  const Vec2 point{xyh_[0], xyh_[1]};
-  if (frame.role != Role::coordinates) {
+  store_point({xyh_[0], xyh_[1]}, frame.role);
+  return true;
+}
+
+void Reader::store_point(Vec2 point, Role role) {
+  if (role != Role::coordinates) {
     input_.points.back().position = point;
   } else if (frames_.back().role == Role::guide) {
     input_.guides.back().push_back(point);
@@ -218,7 +232,6 @@ bool Reader::close() {
   } else {
     input_.regions.back().loops.back().push_back(point);
   }
-  return true;
 }
 
 bool Reader::add_size(std::size_t count) {
@@ -270,9 +283,7 @@ Error Reader::fail_value(ErrorCode code, std::string message) {
   return error_;
 }
 
-}  // namespace
-
-Result<DomainInput> parse_domain_json(std::string_view text) {
+Result<DomainFile> parse_file(std::string_view text) {
   if (text.size() > json_max_text)
     return Error{ErrorCode::too_large, "The JSON text is larger than 1 GiB.", {}};
   JsonText json(text);
@@ -280,6 +291,21 @@ Result<DomainInput> parse_domain_json(std::string_view text) {
   const bool complete = reader.run();
   if (!complete && !reader.failed()) reader.fail(ErrorCode::parse_error, "This is not valid JSON.");
   return reader.take();
+}
+
+}  // namespace
+
+Result<DomainInput> parse_domain_json(std::string_view text) {
+  auto file = parse_file(text);
+  if (!file) return file.error();
+  return std::move(file->domain);
+}
+
+Result<DomainFile> read_json_domain(std::string_view text) {
+  auto file = parse_file(text);
+  if (!file) return file;
+  if (auto error = judge_lists(file->domain, file->warnings)) return *std::move(error);
+  return file;
 }
 
 }  // namespace lpq

@@ -2,7 +2,9 @@
 // {"regions": [{"name": "steel", "loops": [...], "tags": [["inlet", "", ...], ...]}, ...]},
 // with optional "polylines": [{"points": [[x, y], ...], "tag": ""}],
 // "points": [[x, y] or {"position": [x, y], "tag": ""}], "h": size, "sizes": [[x, y, h], ...],
-// "guides": [[[x, y], ...], ...] and "seedPoints": [[x, y], ...]. Other keys are ignored.
+// "guides": [[[x, y], ...], ...] and "seedPoints": [[x, y], ...]. Tags are one per edge of a loop;
+// "" is none, and edges beyond the last tag have none. No key may be there twice. Other keys are
+// ignored, with a warning where one looks like a key that is missing.
 #pragma once
 
 #include <string>
@@ -10,6 +12,7 @@
 
 #include "base/result.h"
 #include "domain/domain.h"
+#include "io/domain/domain_file.h"
 
 namespace lpq {
 
@@ -17,6 +20,10 @@ namespace lpq {
 /// and non_finite with line and byte and, in the message, the path of the value; too_large beyond
 /// 1 GiB. Memory grows with the text, never with a number written in it; nesting is limited.
 Result<DomainInput> parse_domain_json(std::string_view text);
+
+/// The same as a file, with warnings; tags without an edge and guides without a direction are
+/// parse_errors too, for they are the file's fault.
+Result<DomainFile> read_json_domain(std::string_view text);
 
 /// Text that reads back as the same domain, bit for bit.
 std::string write_domain_json(const DomainInput& domain);

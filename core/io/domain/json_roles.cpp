@@ -1,34 +1,50 @@
 // See json_roles.h.
 #include "io/domain/json_roles.h"
 
+#include <vector>
+
+#include "base/nearest_name.h"
+
 namespace lpq::json_domain {
 
+namespace {
+
+struct Member {
+  Role parent;
+  const char* key;
+  Role role;
+};
+constexpr Member members[] = {{Role::document, "loops", Role::loop_list},
+                              {Role::document, "tags", Role::tag_table},
+                              {Role::document, "regions", Role::region_list},
+                              {Role::document, "polylines", Role::polyline_list},
+                              {Role::document, "points", Role::point_list},
+                              {Role::document, "h", Role::size},
+                              {Role::document, "sizes", Role::size_list},
+                              {Role::document, "guides", Role::guide_list},
+                              {Role::document, "seedPoints", Role::seed_list},
+                              {Role::region, "name", Role::name},
+                              {Role::region, "loops", Role::loop_list},
+                              {Role::region, "tags", Role::tag_table},
+                              {Role::polyline, "points", Role::loop},
+                              {Role::polyline, "tag", Role::name},
+                              {Role::point, "position", Role::position},
+                              {Role::point, "tag", Role::name}};
+
+}  // namespace
+
+std::string likely_key(Role parent, const std::string& key) {
+  if (parent == Role::document && key == "size") return "h";
+  std::vector<std::string> known;
+  for (const Member& member : members)  // any letter is one slip away from "h"
+    if (member.parent == parent && member.role != Role::size) known.emplace_back(member.key);
+  return nearest_name(key, known);
+}
+
 Role child_role(Role parent, const std::string& key) {
+  for (const Member& member : members)
+    if (member.parent == parent && key == member.key) return member.role;
   switch (parent) {
-    case Role::document:
-      if (key == "loops") return Role::loop_list;
-      if (key == "tags") return Role::tag_table;
-      if (key == "regions") return Role::region_list;
-      if (key == "polylines") return Role::polyline_list;
-      if (key == "points") return Role::point_list;
-      if (key == "h") return Role::size;
-      if (key == "sizes") return Role::size_list;
-      if (key == "guides") return Role::guide_list;
-      if (key == "seedPoints") return Role::seed_list;
-      return Role::ignored;
-    case Role::region:
-      if (key == "name") return Role::name;
-      if (key == "loops") return Role::loop_list;
-      if (key == "tags") return Role::tag_table;
-      return Role::ignored;
-    case Role::polyline:
-      if (key == "points") return Role::loop;
-      if (key == "tag") return Role::name;
-      return Role::ignored;
-    case Role::point:
-      if (key == "position") return Role::position;
-      if (key == "tag") return Role::name;
-      return Role::ignored;
     case Role::loop_list: return Role::loop;
     case Role::loop:
     case Role::guide:

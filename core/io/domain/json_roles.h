@@ -34,6 +34,9 @@ enum class Kind { object, array, number, string, other };
 /// The role of a member `key` of an object, or of an element of an array (key empty).
 Role child_role(Role parent, const std::string& key);
 
+/// The member that a key of an object may be meant to be, "" if it looks like none.
+std::string likely_key(Role parent, const std::string& key);
+
 /// In words for an error, where a value of the role must not be of that kind; else null.
 const char* expected(Role role, Kind kind);
 

@@ -6,6 +6,7 @@
 
 #include "base/csr.h"
 #include "domain/box_tree.h"
+#include "io/domain/line_landings.h"
 
 namespace lpq {
 namespace {
@@ -98,7 +99,6 @@ Index nearest_point(const LineWork& lines, const BoxTree& tree, Index i,
 }
 
 void move_loose_points(LineWork& lines, double tolerance, Joined& joined) {
-  if (std::find(lines.loose.begin(), lines.loose.end(), 1) == lines.loose.end()) return;
   const Csr<Index> neighbours = neighbours_of(lines);
   std::vector<Box> boxes;
   for (const Vec2 p : lines.points) boxes.push_back({p, p});
@@ -143,7 +143,14 @@ void LineWork::add(std::span<const Vec2> polyline, bool closed, Index source) {
 Joined join_points(LineWork& lines, double tolerance) {
   Joined joined;
   merge_equal_points(lines);
-  if (tolerance > 0) move_loose_points(lines, tolerance, joined);
+  const bool any_loose = std::find(lines.loose.begin(), lines.loose.end(), 1) != lines.loose.end();
+  if (tolerance > 0 && any_loose) {
+    move_loose_points(lines, tolerance, joined);
+    const Landings landings = divide_at_landings(lines, tolerance);
+    joined.landed = landings.count;
+    joined.farthest_landed = landings.farthest;
+    joined.landed_at = landings.farthest_at;
+  }
   drop_doubled_edges(lines, joined);
   return joined;
 }

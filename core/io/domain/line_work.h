@@ -26,15 +26,19 @@ struct LineWork {
 struct Joined {
   Index moved = 0;  // points moved onto another point
   double farthest = 0;
-  Vec2 moved_at;      // the one moved farthest, where it was
+  Vec2 moved_at;     // the one moved farthest, where it was
+  Index landed = 0;  // points at which an edge was divided that passes them
+  double farthest_landed = 0;
+  Vec2 landed_at;     // the one farthest from its edge
   Index doubled = 0;  // edges dropped because another one joins the same points
   Vec2 doubled_at;
 };
 
 /// Makes points at one place one point. Then every loose point is moved onto the nearest other
 /// point within `tolerance` that no edge joins it to: ends meet, and curves drawn twice fall
-/// together, but short edges stay. Edges without length vanish; of several edges between the same
-/// points the first stays. Cost O(n log n).
+/// together, but short edges stay; edges are divided where others end on them (line_landings.h; not
+/// with tolerance 0). Edges without length vanish; of several edges between the same points the
+/// first stays. Cost O(n log n).
 Joined join_points(LineWork& lines, double tolerance);
 
 }  // namespace lpq

@@ -69,9 +69,9 @@ bool append_entity(std::string& out, std::string_view name) {
 
 }  // namespace
 
-XmlReader::XmlReader(std::string_view text) : text_(text) {
+XmlReader::XmlReader(std::string_view text, std::size_t start) : text_(text), at_(start) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text_.substr(0, 3) == byte_order_mark) at_ = 3;
+  if (start == 0 && text_.substr(0, 3) == byte_order_mark) at_ = 3;
 }
 
 XmlReader::Event XmlReader::fail(std::size_t byte, std::string message) {

@@ -19,8 +19,9 @@ struct XmlAttribute {
 
 class XmlReader {
  public:
-  /// The text must stay where it is.
-  explicit XmlReader(std::string_view text);
+  /// The text must stay where it is. From a '<' at `start`: that element alone, up to its closing
+  /// tag.
+  explicit XmlReader(std::string_view text, std::size_t start = 0);
 
   enum class Event { open, close, end, error };
   /// An element without content gives `open` and then `close`. After `end` or `error` no more.
@@ -29,6 +30,8 @@ class XmlReader {
   /// Of the tag read last; without the prefix "svg:".
   std::string_view name() const { return name_; }
   std::size_t byte() const { return tag_; }  // of its '<'
+  /// The first byte that is not read yet.
+  std::size_t position() const { return at_; }
   /// The attribute of that full name, or null.
   const XmlAttribute* find(std::string_view name) const;
   const Error& error() const { return error_; }

@@ -13,6 +13,7 @@
 #include "io/mesh/vtk.h"
 #include "io/mesh/vtu.h"
 #include "io/picture/svg.h"
+#include "io/text_place.h"
 
 namespace lpq {
 namespace {
@@ -107,6 +108,7 @@ std::string write_mesh(const OutputMesh& mesh, MeshFormat format, const MeshWrit
 }
 
 Result<OutputMesh> read_mesh(std::string_view text, MeshFormat format, MeshScope scope) {
+  if (auto wide = refuse_utf16(text)) return *std::move(wide);
   if (format == MeshFormat::obj) return read_obj(text, scope);
   if (format == MeshFormat::msh) return read_msh(text, scope);
   return Error{ErrorCode::parse_error, "Only .obj and .msh meshes can be read back.", {}};

@@ -10,6 +10,7 @@
 #include "io/surface/ply_surface.h"
 #include "io/surface/stl_surface.h"
 #include "io/surface/surface_text.h"
+#include "io/text_place.h"
 
 namespace lpq {
 namespace {
@@ -74,6 +75,9 @@ bool is_surface_file(std::string_view file_name, std::string_view bytes) {
 }
 
 Result<SurfaceSoup> read_surface(std::string_view bytes, SurfaceFormat format) {
+  // A binary STL may begin with any bytes.
+  if (format != SurfaceFormat::stl)
+    if (auto wide = refuse_utf16(bytes)) return *std::move(wide);
   switch (format) {
     case SurfaceFormat::obj: return read_obj_surface(bytes);
     case SurfaceFormat::off: return read_off_surface(bytes);

@@ -1,0 +1,65 @@
+// See json_lists.h.
+#include "io/domain/json_lists.h"
+
+namespace lpq {
+namespace {
+
+/// Edges of a loop; its first point may be repeated at its end.
+std::size_t edge_count(const Loop& loop) {
+  return loop.size() > 1 && loop.front() == loop.back() ? loop.size() - 1 : loop.size();
+}
+
+std::string counts_of(std::size_t loop, std::size_t edges, const char* joint, std::size_t tags) {
+  return "Loop " + std::to_string(loop) + " has " + std::to_string(edges) + " edges " + joint +
+         std::to_string(tags) + (tags == 1 ? " edge tag; " : " edge tags; ");
+}
+
+std::optional<Error> judge_tags(const DomainInput::Region& region, Where where,
+                                std::vector<Warning>& warnings) {
+  constexpr std::size_t most_warnings = 20;
+  for (std::size_t l = 0; l < region.tags.size(); ++l) {
+    const bool has_loop = l < region.loops.size();
+    const std::size_t tags = region.tags[l].size();
+    const std::size_t edges = has_loop ? edge_count(region.loops[l]) : 0;
+    where.loop = static_cast<Index>(l);
+    // One tag per point given is right as well.
+    if (tags > (has_loop ? region.loops[l].size() : 0))
+      return Error{ErrorCode::parse_error,
+                   counts_of(l, edges, "but ", tags) + "give one tag per edge.", where};
+    if (tags > 0 && tags < edges && warnings.size() < most_warnings)
+      warnings.push_back(
+          {ErrorCode::parse_error,
+           counts_of(l, edges, "but only ", tags) + "the edges after these have none.", where});
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> judge_guide(const DomainInput::Guide& guide, Index number) {
+  for (const Vec2 p : guide)
+    if (!(p == guide.front())) return std::nullopt;
+  Where where;
+  where.guide = number;
+  const std::string name = "guide " + std::to_string(number);
+  if (guide.size() > 1)
+    return Error{ErrorCode::parse_error,
+                 "All points of " + name + " are the same: it has no direction.", where};
+  return Error{ErrorCode::parse_error,
+               "A guide needs at least two points, but " + name + " has " +
+                   std::to_string(guide.size()) + ".",
+               where};
+}
+
+}  // namespace
+
+std::optional<Error> judge_lists(const DomainInput& domain, std::vector<Warning>& warnings) {
+  for (std::size_t g = 0; g < domain.guides.size(); ++g)
+    if (auto error = judge_guide(domain.guides[g], static_cast<Index>(g))) return error;
+  for (std::size_t r = 0; r < domain.regions.size(); ++r) {
+    Where where;
+    where.region = static_cast<Index>(r);
+    if (auto error = judge_tags(domain.regions[r], where, warnings)) return error;
+  }
+  return std::nullopt;
+}
+
+}  // namespace lpq

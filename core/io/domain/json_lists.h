@@ -1,0 +1,15 @@
+// Do the lists of a JSON domain belong together?
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "io/domain/domain_file.h"
+
+namespace lpq {
+
+/// Errors: parse_error for tags without an edge, with region and loop, and for a guide without a
+/// direction; a warning for a loop that has some tags, but not one for each edge.
+std::optional<Error> judge_lists(const DomainInput& domain, std::vector<Warning>& warnings);
+
+}  // namespace lpq

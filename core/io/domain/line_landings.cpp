@@ -1,0 +1,126 @@
+// See line_landings.h.
+#include "io/domain/line_landings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/csr.h"
+#include "domain/box_tree.h"
+#include "geometry/segment.h"
+
+namespace lpq {
+namespace {
+
+/// A point on the way along an edge.
+struct Stop {
+  Index edge = none, point = none;
+  double way = 0;
+};
+
+class Lander {
+ public:
+  Lander(LineWork& lines, double tolerance) : lines_(lines), tolerance_(tolerance) {
+    std::vector<Box> boxes;
+    for (const LineWork::Edge& edge : lines.edges) {
+      Box box = box_of(point(edge.a), point(edge.b));
+      box.lo = box.lo - Vec2{tolerance, tolerance};
+      box.hi = box.hi + Vec2{tolerance, tolerance};
+      boxes.push_back(box);
+    }
+    tree_ = BoxTree(boxes);
+    neighbours_ = csr_from<Index>(lines.points.size(), [&](auto&& emit) {
+      for (const LineWork::Edge& edge : lines.edges) {
+        emit(edge.a, edge.b);
+        emit(edge.b, edge.a);
+      }
+    });
+  }
+
+  Landings run() {
+    for (Index i = 0; i < static_cast<Index>(lines_.points.size()); ++i)
+      if (lines_.loose[static_cast<std::size_t>(i)] && !neighbours_.row(i).empty()) land(i);
+    divide();
+    return landings_;
+  }
+
+ private:
+  Vec2 point(Index i) const { return lines_.points[static_cast<std::size_t>(i)]; }
+  void add_stop(Index e, Index i, double gap) {
+    const LineWork::Edge& edge = lines_.edges[static_cast<std::size_t>(e)];
+    stops_.push_back({e, i, dot(point(i) - point(edge.a), point(edge.b) - point(edge.a))});
+    if (landings_.count++ > 0 && gap <= landings_.farthest) return;
+    landings_.farthest = gap;
+    landings_.farthest_at = point(i);
+  }
+  double gap_to(Index e, Index i) const;
+  void land(Index i);
+  void divide();
+
+  LineWork& lines_;
+  double tolerance_;
+  BoxTree tree_;
+  Csr<Index> neighbours_;
+  std::vector<Stop> stops_;
+  Landings landings_;
+};
+
+/// How far point i is from landing on the edge between its ends; infinite if it does not.
+double Lander::gap_to(Index e, Index i) const {
+  const LineWork::Edge& edge = lines_.edges[static_cast<std::size_t>(e)];
+  const Vec2 a = point(edge.a), b = point(edge.b), p = point(i), foot = closest_point(p, a, b);
+  const bool exact = on_segment(p, a, b);
+  for (const Index j : neighbours_.row(i)) {
+    if (j == i) continue;  // an edge whose ends were joined
+    if (!exact && (j == edge.a || j == edge.b)) return HUGE_VAL;
+    if (exact && meet(a, b, p, point(j)) == Meeting::overlapping) return HUGE_VAL;
+  }
+  if (exact) return 0;
+  return foot == a || foot == b ? HUGE_VAL : distance(p, foot);
+}
+
+void Lander::land(Index i) {
+  const Vec2 p = point(i);
+  Index nearest = none;
+  double least = tolerance_;
+  tree_.walk(
+      [&](Index, const Box& box) {
+        return overlap(box, Box{p, p});
+      },
+      [&](Index e) {
+        const LineWork::Edge& edge = lines_.edges[static_cast<std::size_t>(e)];
+        if (edge.a == i || edge.b == i) return;
+        const double gap = gap_to(e, i);
+        if (gap == 0) add_stop(e, i, 0);  // on each of several
+        if (gap > least || (gap == least && nearest != none && e > nearest)) return;
+        least = gap;
+        nearest = e;
+      });
+  if (nearest != none && least > 0) add_stop(nearest, i, least);
+}
+
+void Lander::divide() {
+  std::sort(stops_.begin(), stops_.end(), [](const Stop& s, const Stop& t) {
+    if (s.edge != t.edge) return s.edge < t.edge;
+    return s.way != t.way ? s.way < t.way : s.point < t.point;
+  });
+  std::vector<LineWork::Edge> edges;
+  edges.reserve(lines_.edges.size() + stops_.size());
+  auto stop = stops_.begin();
+  for (std::size_t e = 0; e < lines_.edges.size(); ++e) {
+    LineWork::Edge rest = lines_.edges[e];
+    for (; stop != stops_.end() && stop->edge == static_cast<Index>(e); ++stop) {
+      edges.push_back({rest.a, stop->point, rest.source});
+      rest.a = stop->point;
+    }
+    edges.push_back(rest);
+  }
+  lines_.edges = std::move(edges);
+}
+
+}  // namespace
+
+Landings divide_at_landings(LineWork& lines, double tolerance) {
+  return Lander(lines, tolerance).run();
+}
+
+}  // namespace lpq

@@ -1,0 +1,19 @@
+// Lines that end on other lines.
+#pragma once
+
+#include "io/domain/line_work.h"
+
+namespace lpq {
+
+struct Landings {
+  Index count = 0;  // points at which an edge was divided
+  double farthest = 0;
+  Vec2 farthest_at;
+};
+
+/// Divides edges at the loose points that lie on them: exactly, or within `tolerance` on the
+/// nearest edge, unless an edge joins the point to one of its ends. Lines that run along each other
+/// are left for the door to judge. Requires points without duplicates. Cost O(n log n).
+Landings divide_at_landings(LineWork& lines, double tolerance);
+
+}  // namespace lpq
