@@ -10,7 +10,7 @@ namespace {
 
 constexpr double least_gain = 1e-9;  // of irregularity: less is none
 // Faces around a cavity: where hundreds meet in one vertex, a try takes long and mends nothing.
-constexpr std::size_t largest_ring = 48;
+constexpr std::size_t largest_ring = 120;
 constexpr int first_guess_sweeps = 8;
 constexpr int relax_steps = 14;
 // A repair may leave this much more irregularity than it found: one quad cut into five leaves 12

@@ -17,7 +17,8 @@ namespace lpq {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double largest_share = 0.5;  // of the diagonal of a part: with larger quads it folds up
+// Of the diagonal of a part: that of one square. With larger quads it folds up.
+constexpr double largest_share = 0.7;
 
 Error bad_size(std::string message) { return {ErrorCode::bad_size, std::move(message), {}}; }
 

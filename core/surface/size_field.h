@@ -20,7 +20,7 @@ struct SurfaceSizeOptions {
 
 /// #V, > 0. Curvature is that of second_forms() and of the polylines that features and borders make
 /// (`feature` marks half-edges, both sides). With r the radius of curvature, a chord that turns by
-/// phi is 2 r sin(phi / 2) long. No size is more than half the diagonal of what hangs together.
+/// phi is 2 r sin(phi / 2) long. No size is more than .7 of the diagonal of what hangs together.
 /// Errors: bad_size where an option is out of range or no size is left anywhere.
 /// Cost O(#V log #V).
 Result<std::vector<double>> surface_sizes(const SurfaceMesh& mesh, std::span<const char> feature,
