@@ -167,9 +167,7 @@ class SurfaceMesher::Run {
 
   /// The paper's chain ends where the charts are lifted.
   std::optional<Error> finish_paper() {
-    ShellMesh mesh = outcome_.mesh;
-    part_vertices(surface(), mesh);
-    improve(std::move(mesh));
+    improve(ShellMesh(outcome_.mesh));
     return sum_up();
   }
 
@@ -181,10 +179,8 @@ class SurfaceMesher::Run {
     }
     if (seams_->step()) return std::nullopt;
     outcome_.report.seams = seams_->stats();
-    ShellMesh mesh = seams_->take();
+    improve(seams_->take());
     seams_.reset();
-    part_vertices(surface(), mesh);
-    improve(std::move(mesh));
     stage_ = SurfaceStage::shape;
     return std::nullopt;
   }
@@ -213,6 +209,7 @@ class SurfaceMesher::Run {
 
   /// The mesh of the charts is valid: one that is not does not take its place.
   void improve(ShellMesh mesh) {
+    part_vertices(surface(), mesh);
     if (check_shell(surface(), mesh, 1).empty()) outcome_.mesh = std::move(mesh);
   }
 
