@@ -19,6 +19,10 @@
 namespace lpq {
 namespace {
 
+// Once the shape is made, only what lies in one place to the last digits, and so little that no
+// shape is spoilt.
+constexpr Parting at_the_end{.one_point = 2e-12, .inward = 1e-4};
+
 constexpr double default_quads = 3000;
 constexpr int most_threads = 4;  // for each that the machine runs at once
 
@@ -194,7 +198,7 @@ class SurfaceMesher::Run {
       }
       if (shape_->step()) return std::nullopt;
       outcome_.report.shape = shape_->stats();
-      improve(shape_->take());
+      improve(shape_->take(), at_the_end);
       shape_.reset();
     }
     return sum_up();
@@ -208,8 +212,8 @@ class SurfaceMesher::Run {
   }
 
   /// The mesh of the charts is valid: one that is not does not take its place.
-  void improve(ShellMesh mesh) {
-    part_vertices(surface(), mesh);
+  void improve(ShellMesh mesh, const Parting& parting = {}) {
+    part_vertices(surface(), mesh, parting);
     if (check_shell(surface(), mesh, 1).empty()) outcome_.mesh = std::move(mesh);
   }
 

@@ -62,16 +62,14 @@ std::vector<Index> bodies_at(const SurfaceMesh& mesh, std::span<const SurfacePla
   return bodies;
 }
 
-void part_vertices(const SurfaceMesh& mesh, ShellMesh& shell) {
-  constexpr double one_point = 1e-9;
-  constexpr double inward = 0.1;  // of the way to the triangle's centroid
-  const double reach = one_point * bounding_diagonal(mesh.points);
+void part_vertices(const SurfaceMesh& mesh, ShellMesh& shell, const Parting& parting) {
+  const double reach = parting.one_point * bounding_diagonal(mesh.points);
   const std::vector<char> all(shell.points.size(), 1);
   const std::vector<Index> first =
       weld_points(shell.points, all, reach, bodies_at(mesh, shell.places));
   const auto move = [&](Index v) {
     SurfacePlace& place = shell.places[v];
-    for (double& weight : place.weight) weight += inward * (1.0 / 3 - weight);
+    for (double& weight : place.weight) weight += parting.inward * (1.0 / 3 - weight);
     shell.points[v] = point_at(mesh, place);
   };
   for (Index v = 0; v < static_cast<Index>(first.size()); ++v) {

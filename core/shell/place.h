@@ -23,8 +23,13 @@ double size_at(std::span<const Tri> triangles, const SurfacePlace& place,
 /// #places  the body of each; empty if there is one.
 std::vector<Index> bodies_at(const SurfaceMesh& mesh, std::span<const SurfacePlace> places);
 
-/// Free vertices that lie on another one of their body (nearer than 1e-9 of the diagonal) go a
-/// little way into their triangles, so that nobody takes the two for one. Cost O(#V log #V).
-void part_vertices(const SurfaceMesh& mesh, ShellMesh& shell);
+struct Parting {
+  double one_point = 1e-9;  // of the diagonal: vertices nearer to each other lie in one place
+  double inward = 0.1;      // of the way to the centroid of the triangle that a vertex lies in
+};
+
+/// Free vertices that lie on another one of their body go a little way into their triangles, so
+/// that nobody takes the two for one. Cost O(#V log #V).
+void part_vertices(const SurfaceMesh& mesh, ShellMesh& shell, const Parting& parting = {});
 
 }  // namespace lpq
