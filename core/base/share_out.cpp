@@ -10,7 +10,6 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <vector>
 #endif
@@ -30,7 +29,7 @@ class Sharing {
     std::vector<std::thread> others;
     try {
       for (int k = 1; k < threads; ++k) others.emplace_back([this, k] { take(k); });
-    } catch (const std::system_error&) {  // the system starts no more
+    } catch (const std::exception&) {  // the system starts no more
     }
     take(0);
     for (; ready_ <= others.size(); idle())

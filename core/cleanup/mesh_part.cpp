@@ -1,8 +1,9 @@
 #include "cleanup/mesh_part.h"
-#include "base/sort_unique.h"
 
 #include <algorithm>
 #include <utility>
+
+#include "base/sort_unique.h"
 
 namespace lpq {
 

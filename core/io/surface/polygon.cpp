@@ -64,19 +64,20 @@ class EarCutter {
   EarCutter(std::span<const Index> corners, std::vector<Vec2> seen)
       : corners_(corners), seen_(std::move(seen)) {
     for (std::size_t i = 0; i < corners.size(); ++i) ring_.push_back(static_cast<Index>(i));
+    if (ring_.size() > most_with_ears) return;
     for (std::size_t k = 0; k < ring_.size(); ++k) worth_.push_back(worth(k));
   }
 
   DividedPolygon run() {
-    while (ring_.size() > 3) {
+    while (ring_.size() > 3 && ring_.size() <= most_with_ears) {
       const std::size_t best = std::max_element(worth_.begin(), worth_.end()) - worth_.begin();
       if (!(worth_[best] > 0)) break;
       cut(best);
     }
-    std::vector<Index> rest;
-    for (const Index i : ring_) rest.push_back(corners_[i]);
-    result_.crossing = rest.size() > 3;
-    for (const Tri& triangle : fan(rest, 0)) result_.triangles.push_back(triangle);
+    for (const auto& [a, b, c] : fan(ring_, 0)) {
+      result_.triangles.push_back({corners_[a], corners_[b], corners_[c]});
+      result_.turned = result_.turned || orient2d(seen_[a], seen_[b], seen_[c]) < 0;
+    }
     return std::move(result_);
   }
 
@@ -122,7 +123,6 @@ DividedPolygon divide_polygon(std::span<const Index> corners, const std::vector<
   const std::size_t apexes = std::min(corners.size(), most_apexes);
   for (std::size_t apex = 0; apex < apexes; ++apex)
     if (sees_whole_polygon(corners, points, apex, area)) return {fan(corners, apex), false};
-  if (corners.size() > most_with_ears) return {fan(corners, 0), true};
   return EarCutter(corners, seen_along(area, corners, points)).run();
 }
 

@@ -25,7 +25,7 @@ void SoupBuilder::set_body(const std::string& name) {
 
 SurfaceSoup SoupBuilder::take() {
   if (!soup_.sizes.empty()) soup_.sizes.resize(soup_.points.size(), 0);
-  if (crossing_ > 0) soup_.warnings.push_back(warning_of_crossing());
+  if (turned_ > 0) soup_.warnings.push_back(warning_of_turned());
   if (has_bodies_) {
     join_loose_bodies(soup_);
   } else {
@@ -52,16 +52,17 @@ void SoupBuilder::add_polygon(std::span<const Index> corners) {
     soup_.group.push_back(group_);
     soup_.body.push_back(body_);
   }
-  if (divided.crossing && crossing_++ == 0) first_crossing_ = soup_.points[corners[0]];
+  if (divided.turned && turned_++ == 0) first_turned_ = soup_.points[corners[0]];
 }
 
-Warning SoupBuilder::warning_of_crossing() const {
-  const Vec3 at = first_crossing_;
+Warning SoupBuilder::warning_of_turned() const {
+  const Vec3 at = first_turned_;
   return {ErrorCode::self_intersection,
-          std::to_string(crossing_) +
-              (crossing_ == 1 ? " polygon crosses itself" : " polygons cross themselves") +
-              ", the first near " + place_in_space(at.x, at.y, at.z) +
-              ". Divide such polygons into triangles before.",
+          std::to_string(turned_) + (turned_ == 1 ? " polygon was" : " polygons were") +
+              " divided into triangles of which some turn over, the first near " +
+              place_in_space(at.x, at.y, at.z) +
+              ": such a one crosses itself, or has inward corners and thousands of others"
+              ". Divide it into triangles before.",
           {}};
 }
 

@@ -27,8 +27,8 @@ class SoupBuilder {
   /// Polygons from now on belong to the body of this name; before the first call to one without.
   void set_body(const std::string& name);
 
-  /// Three or more corners of points that are there, divided into triangles (polygon.h); what
-  /// crosses itself is warned of.
+  /// Three or more corners of points that are there, divided into triangles (polygon.h), with a
+  /// warning where some of these turn over.
   void add_polygon(std::span<const Index> corners);
   bool has_polygon() const { return !soup_.triangles.empty(); }
 
@@ -40,7 +40,7 @@ class SoupBuilder {
   SurfaceSoup take();
 
  private:
-  Warning warning_of_crossing() const;
+  Warning warning_of_turned() const;
 
   SurfaceSoup soup_;
   std::map<std::string, Index> groups_, bodies_;
@@ -49,8 +49,8 @@ class SoupBuilder {
   std::string body_name_;
   Index body_ = none;  // as above
   bool has_bodies_ = false;
-  Index crossing_ = 0;  // polygons
-  Vec3 first_crossing_;
+  Index turned_ = 0;  // polygons
+  Vec3 first_turned_;
 };
 
 /// The error for a file that SoupBuilder finds too_large().

@@ -172,8 +172,7 @@ bool is_binary_stl(std::string_view bytes) {
 
 Result<SurfaceSoup> read_stl_surface(std::string_view bytes) {
   // Some binary files begin with 'solid', too; no text holds a zero.
-  if (is_binary_stl(bytes) || bytes.find('\0') != std::string_view::npos)
-    return read_binary(bytes);
+  if (is_binary_stl(bytes) || bytes.find('\0') != std::string_view::npos) return read_binary(bytes);
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   std::string_view text = bytes;
   if (text.substr(0, 3) == byte_order_mark) text.remove_prefix(3);

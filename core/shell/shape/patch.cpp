@@ -1,8 +1,9 @@
 // See patch.h.
 #include "shell/shape/patch.h"
-#include "base/sort_unique.h"
 
 #include <algorithm>
+
+#include "base/sort_unique.h"
 
 namespace lpq {
 namespace {
