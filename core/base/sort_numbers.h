@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/function_ref.h"
@@ -18,5 +19,16 @@ void sort_numbers(std::span<Index> numbers, ComesBefore before);
 
 /// 0 .. count - 1.
 std::vector<Index> sorted_numbers(std::size_t count, ComesBefore before);
+
+/// Values by the order of their numbers, where what a sort of their own would gain does not show.
+template <class T, class Before>
+void sort_values(std::vector<T>& values, const Before& before) {
+  std::vector<T> sorted;
+  sorted.reserve(values.size());
+  for (const Index i : sorted_numbers(
+           values.size(), [&](Index i, Index j) { return before(values[i], values[j]); }))
+    sorted.push_back(std::move(values[i]));
+  values = std::move(sorted);
+}
 
 }  // namespace lpq

@@ -63,6 +63,7 @@ void append_repairs(JsonWriter& json, const RepairReport& repair) {
   json.member("trianglesGiven", repair.triangles_given);
   json.member("weldedPoints", repair.welded_points);
   json.member("slitPoints", repair.slit_points);
+  json.member("hangingPoints", repair.hanging_points);
   json.member("unusedPoints", repair.unused_points);
   json.member("collapsedTriangles", repair.collapsed_triangles);
   json.member("duplicateTriangles", repair.duplicate_triangles);
@@ -72,6 +73,8 @@ void append_repairs(JsonWriter& json, const RepairReport& repair) {
   json.member("turnedTriangles", repair.turned_triangles);
   json.member("components", repair.components);
   json.member("borderEdges", repair.border_edges);
+  json.member("gapPoints", repair.gap.points);
+  json.member("gapWidth", repair.gap.width);
   json.member("nonmanifoldEdges", repair.nonmanifold_edges);
   json.member("conflictEdges", repair.conflict_edges);
   json.member("nonmanifoldVertices", repair.nonmanifold_vertices);
@@ -130,7 +133,8 @@ std::string surface_report_text(const ShellOutcome& outcome) {
   facts.count("triangles", outcome.surface.triangle_count())
       .count("faces", report.faces)
       .count("curves", report.curves)
-      .count("charts", report.charts);
+      .count("charts", report.charts)
+      .count("border edges", report.repair.border_edges);
   if (!report.bodies.empty())
     facts.count("bodies", static_cast<std::int64_t>(report.bodies.size()));
   append_row(out, "surface", facts.text());

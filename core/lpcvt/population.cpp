@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/sort_numbers.h"
 #include "geometry/grid.h"
 #include "numerics/elementary.h"
 
@@ -49,7 +50,7 @@ std::vector<Reach> reaches(const TriMesh& mesh, const EnergyWorkspace& work) {
 }
 
 void sort(std::vector<Candidate>& candidates) {
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+  sort_values(candidates, [](const Candidate& a, const Candidate& b) {
     return a.rank != b.rank ? a.rank < b.rank : a.site < b.site;
   });
 }

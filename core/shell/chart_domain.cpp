@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/sort_numbers.h"
 #include "base/sort_unique.h"
 
 namespace lpq {
@@ -23,7 +24,7 @@ class DomainMaker {
     }
     add_inner_features(features, curves, atlas);
     add_inner_points(features);
-    std::sort(domain_.places.begin(), domain_.places.end(), [](const auto& a, const auto& b) {
+    sort_values(domain_.places, [](const auto& a, const auto& b) {
       return a.position < b.position || (a.position == b.position && a.node < b.node);
     });
     return std::move(domain_);

@@ -1,8 +1,9 @@
 // See curve_nodes.h.
 #include "shell/curve_nodes.h"
 
-#include <algorithm>
 #include <tuple>
+
+#include "base/sort_numbers.h"
 
 namespace lpq {
 
@@ -25,7 +26,7 @@ CurveNodes::CurveNodes(const SurfaceMesh& mesh, const SurfaceEdges& edges,
       if (place.vertex == none) entries.push_back({on_curve[place.edge], {node, place.t}});
     }
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+  sort_values(entries, [](const Entry& a, const Entry& b) {
     return std::tie(a.edge, a.at.share, a.at.node) < std::tie(b.edge, b.at.share, b.at.node);
   });
   std::size_t next = 0;

@@ -6,6 +6,8 @@
 #include <limits>
 #include <queue>
 
+#include "base/sort_numbers.h"
+
 namespace lpq {
 namespace {
 
@@ -38,7 +40,7 @@ class Balancer {
         value_[s] += term.factor * counts[term.curve];
         entries.push_back({term.curve, s, term.factor});
       }
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    sort_values(entries, [](const Entry& a, const Entry& b) {
       return a.curve != b.curve ? a.curve < b.curve : a.sum < b.sum;
     });
     std::size_t next = 0;

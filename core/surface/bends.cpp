@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/sort_numbers.h"
 #include "numerics/elementary.h"
 #include "surface/curves.h"
 
@@ -81,7 +82,7 @@ class BendFinder {
         continue;
       if (is_bend(line, s, h)) bends.push_back({depth(line, s, h), s, vertices[k]});
     }
-    std::sort(bends.begin(), bends.end(), [](const Bend& a, const Bend& b) {
+    sort_values(bends, [](const Bend& a, const Bend& b) {
       return a.depth != b.depth ? a.depth > b.depth : a.at < b.at;
     });
     std::vector<double> taken;

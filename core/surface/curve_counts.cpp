@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/disjoint_sets.h"
+#include "base/sort_numbers.h"
 #include "surface/balance_counts.h"
 
 namespace lpq {
@@ -40,7 +41,7 @@ std::vector<Index> fewest_edges(const SurfaceCurves& curves, std::span<const dou
       open.push_back({std::min(a, b), std::max(a, b), steps[c], c});
     }
   }
-  std::sort(open.begin(), open.end(), [](const Span& s, const Span& t) {
+  sort_values(open, [](const Span& s, const Span& t) {
     if (s.a != t.a) return s.a < t.a;
     if (s.b != t.b) return s.b < t.b;
     return s.steps != t.steps ? s.steps < t.steps : s.curve < t.curve;
@@ -151,7 +152,7 @@ class EvenMaker {
       links.push_back(
           {misfit(count, steps_[c]), c, {faces[0], faces.size() == 2 ? faces[1] : outside_}});
     }
-    std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) {
+    sort_values(links, [](const Link& a, const Link& b) {
       return a.cost != b.cost ? a.cost < b.cost : a.curve < b.curve;
     });
     DisjointSets trees(outside_ + 1);

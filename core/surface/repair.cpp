@@ -1,14 +1,14 @@
+// See repair.h.
 #include "surface/repair.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
+#include <tuple>
 
+#include "base/sort_numbers.h"
 #include "base/words.h"
 #include "surface/flat.h"
+#include "surface/hanging.h"
 #include "surface/orient.h"
-#include "surface/slits.h"
 #include "surface/weld.h"
 
 namespace lpq {
@@ -17,13 +17,11 @@ namespace {
 // Points as near as this, relative to the diagonal, may be the two sides of a slit: of the order of
 // what CAD kernels take for one point.
 constexpr double slit_width = 1e-6;
-constexpr double smallest_surface = 1e-30,
-                 largest_surface = 1e30;  // sixth powers of lengths are taken
+constexpr double widest_gap = 1e-3;  // relative to the diagonal, that is told
 // A triangle lower than this, relative to the diagonal, is flat: what rounding leaves of collinear
 // points. Removing it moves the surface by no more than that.
 constexpr double flat_height = 1e-10;
 constexpr double most_shorter = 0.9;  // of the edges may be shorter than the distance of welding
-constexpr double largest_coordinate = 1e100;
 constexpr double least_weld = 1e-15;  // below the last bit of the coordinates: equal points only
 
 class Repair {
@@ -37,101 +35,26 @@ class Repair {
   }
 
   Result<RepairedSurface> run() {
-    if (auto checked = check_input(); !checked) return checked.error();
+    if (!(options_.weld >= 0 && options_.weld <= 0.01))
+      return Error{ErrorCode::bad_option, "Option weld must lie between 0 and 0.01.", {}};
+    auto extent = check_soup(soup_);
+    if (!extent) return extent.error();
+    used_ = std::move(extent->used);
+    report_.unused_points = extent->unused;
+    diagonal_ = extent->diagonal;
     if (const auto near = check_weld(); !near) return near.error();
     part_bodies();
     weld();
     drop_collapsed();
     drop_duplicates();
     close_slits();
+    share_hanging();
     if (!remove_flat()) return nothing_left();
+    look_for_gaps();
     return finish();
   }
 
  private:
-  Result<int> check_input() {
-    if (!(options_.weld >= 0 && options_.weld <= 0.01))
-      return Error{ErrorCode::bad_option, "Option weld must lie between 0 and 0.01.", {}};
-    if (soup_.triangles.empty()) return Error{ErrorCode::empty, "The surface has no triangle.", {}};
-    used_.assign(soup_.points.size(), 0);
-    for (std::size_t t = 0; t < soup_.triangles.size(); ++t)
-      for (const Index v : soup_.triangles[t]) {
-        if (v < 0 || v >= report_.points_given)
-          return Error{ErrorCode::parse_error,
-                       "Triangle " + std::to_string(t) + " has point " + std::to_string(v) +
-                           ", but the points are 0 to " + std::to_string(report_.points_given - 1) +
-                           ".",
-                       {}};
-        used_[v] = 1;
-      }
-    if (auto checked = check_labels("group", soup_.group, soup_.group_names.size()); !checked)
-      return checked;
-    // Bodies need no names.
-    const std::size_t most_bodies = std::max(soup_.body_names.size(), soup_.triangles.size());
-    if (auto checked = check_labels("body", soup_.body, most_bodies); !checked) return checked;
-    if (auto checked = check_sizes(); !checked) return checked;
-    return check_points();
-  }
-
-  /// One label below `count` for each triangle, or none at all.
-  Result<int> check_labels(const char* what, const std::vector<Index>& labels,
-                           std::size_t count) const {
-    if (labels.empty()) return 0;
-    const auto most = static_cast<Index>(count);
-    const auto is_wrong = [most](Index label) { return label < 0 || label >= most; };
-    if (labels.size() == soup_.triangles.size() &&
-        std::none_of(labels.begin(), labels.end(), is_wrong))
-      return 0;
-    return Error{ErrorCode::parse_error,
-                 std::string("Every triangle needs a ") + what +
-                     ", counted from 0, as many as there are names; give one for each, or none.",
-                 {}};
-  }
-
-  Result<int> check_sizes() const {
-    if (!soup_.sizes.empty() && soup_.sizes.size() != soup_.points.size())
-      return Error{ErrorCode::bad_size,
-                   "There are " + std::to_string(soup_.sizes.size()) + " sizes for " +
-                       std::to_string(soup_.points.size()) + " points; give one for each.",
-                   {}};
-    for (std::size_t p = 0; p < soup_.sizes.size(); ++p)
-      if (!(std::isfinite(soup_.sizes[p]) && soup_.sizes[p] >= 0))
-        return Error{
-            ErrorCode::bad_size,
-            "The size at point " + std::to_string(p) + " is no length; give 0 where there is none.",
-            {}};
-    return 0;
-  }
-
-  Result<int> check_points() {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Vec3 low{infinity, infinity, infinity}, high = -low;
-    for (std::size_t v = 0; v < used_.size(); ++v) {
-      if (!used_[v]) {
-        ++report_.unused_points;
-        continue;
-      }
-      const Vec3 p = soup_.points[v];
-      if (!is_finite(p))
-        return Error{ErrorCode::non_finite,
-                     "Point " + std::to_string(v) + " has a coordinate that is not finite.",
-                     {}};
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
-    for (const double x : {low.x, low.y, low.z, high.x, high.y, high.z})
-      if (std::fabs(x) > largest_coordinate)
-        return Error{ErrorCode::too_large, "A coordinate is larger than 1e100.", {}};
-    diagonal_ = length(high - low);
-    if (!(low == high) && !(diagonal_ > smallest_surface && diagonal_ < largest_surface))
-      return Error{ErrorCode::lost_precision,
-                   "The surface is " + short_number(diagonal_) +
-                       " across; its numbers are beyond what double precision can calculate with. "
-                       "Use another unit of length: between 1e-30 and 1e30.",
-                   {}};
-    return 0;
-  }
-
   /// Triangles of different bodies get points of their own, so that nothing joins them.
   void part_bodies() {
     if (soup_.body.empty()) return soup_.body_names.clear();
@@ -207,6 +130,21 @@ class Repair {
     drop_duplicates();
   }
 
+  void share_hanging() {
+    if (options_.weld < least_weld || !(diagonal_ > 0)) return;
+    report_.hanging_points =
+        share_hanging_points(soup_.points, std::max(slit_width, options_.weld) * diagonal_,
+                             soup_.triangles, soup_.group);
+  }
+
+  void look_for_gaps() {
+    if (!(diagonal_ > 0)) return;
+    report_.gap = border_gap(soup_.points, soup_.triangles, widest_gap * diagonal_, body_);
+    if (report_.gap.points == 0) return;
+    report_.closing_weld = slit_width;
+    while (report_.closing_weld * diagonal_ < report_.gap.width) report_.closing_weld *= 2;
+  }
+
   /// Keeps the triangles for which keep(t) holds, and says how many it dropped.
   template <class Keep>
   Index filter(Keep&& keep) {
@@ -230,16 +168,13 @@ class Repair {
   }
 
   void drop_duplicates() {
-    std::vector<std::pair<Tri, std::size_t>> keys;
-    for (std::size_t i = 0; i < soup_.triangles.size(); ++i) {
-      Tri key = soup_.triangles[i];
-      std::sort(key.begin(), key.end());
-      keys.push_back({key, i});
-    }
-    std::sort(keys.begin(), keys.end());
+    std::vector<Tri> keys = soup_.triangles;
+    for (Tri& key : keys) std::sort(key.begin(), key.end());
+    const std::vector<Index> order = sorted_numbers(
+        keys.size(), [&](Index i, Index j) { return std::tie(keys[i], i) < std::tie(keys[j], j); });
     std::vector<char> repeated(keys.size(), 0);
     for (std::size_t k = 1; k < keys.size(); ++k)
-      repeated[keys[k].second] = keys[k].first == keys[k - 1].first;
+      repeated[order[k]] = keys[order[k]] == keys[order[k - 1]];
     report_.duplicate_triangles += filter([&](std::size_t i) { return !repeated[i]; });
   }
 

@@ -7,6 +7,7 @@
 
 #include "base/result.h"
 #include "mesh/surface_mesh.h"
+#include "surface/slits.h"
 #include "surface/soup.h"
 
 namespace lpq {
@@ -14,7 +15,8 @@ namespace lpq {
 struct RepairOptions {
   /// Points nearer than this, relative to the bounding box's diagonal, are one point. 1e-10 is what
   /// rounding leaves of equal points; files whose sheets do not quite meet may need 1e-7 or more.
-  /// Slits of 1e-6 are closed unless this is 0.
+  /// Slits of 1e-6 are closed unless this is 0, and points that hang on edges as near as the larger
+  /// of the two become theirs.
   double weld = 1e-10;  // 0 .. 0.01, 0 welds equal points only
 };
 
@@ -22,6 +24,7 @@ struct RepairReport {
   Index points_given = 0, triangles_given = 0;
   Index welded_points = 0;        // became one with an earlier point
   Index slit_points = 0;          // the same, across gaps of no width (slits.h)
+  Index hanging_points = 0;       // lay on an edge of another sheet, and divide it (hanging.h)
   Index unused_points = 0;        // no triangle has them
   Index collapsed_triangles = 0;  // two corners are one point
   Index duplicate_triangles = 0;  // same three corners as an earlier one, either way round
@@ -33,6 +36,8 @@ struct RepairReport {
   Index border_edges = 0;
   Index nonmanifold_edges = 0;     // of three or more triangles: walls
   Index conflict_edges = 0;        // where one-sided parts are cut open: walls
+  BorderGap gap;                   // up to 1e-3 of the diagonal: left open
+  double closing_weld = 0;         // what would close it
   Index nonmanifold_vertices = 0;  // parts meet in the point only; each is an umbrella of its own
 };
 
@@ -47,10 +52,8 @@ struct RepairedSurface {
 
 /// Welds within bodies, drops and divides triangles, orients, and cuts where the surface is not
 /// manifold. A point that triangles of several bodies have becomes several; those come last.
-/// Errors: parse_error for a corner that is not there; empty; non_finite; too_large beyond 1e100
-/// (squares must not overflow); lost_precision for what is too small or large to calculate with,
-/// and where welding would make one point of nearly all; zero_area if nothing has height; bad_size;
-/// bad_option. Cost O(#T log #T).
+/// Errors: those of check_soup(); bad_option; lost_precision where welding would make one point of
+/// nearly all; zero_area if nothing has height. Cost O(#T log #T).
 Result<RepairedSurface> repair_surface(SurfaceSoup soup, const RepairOptions& options = {});
 
 }  // namespace lpq

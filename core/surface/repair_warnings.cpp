@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "base/words.h"
+
 namespace lpq {
 
 std::vector<Warning> repair_warnings(const RepairReport& report) {
@@ -16,6 +18,8 @@ std::vector<Warning> repair_warnings(const RepairReport& report) {
   };
   warn(ErrorCode::duplicate_point, report.slit_points, "point", "points",
        "made one with another across a slit without width.");
+  warn(ErrorCode::touching, report.hanging_points, "point", "points",
+       "made a corner of the triangles on whose edges they lay.");
   warn(ErrorCode::duplicate_point, report.collapsed_triangles, "triangle", "triangles",
        "left out: two corners are the same point.");
   warn(ErrorCode::overlapping_edges, report.duplicate_triangles, "triangle", "triangles",
@@ -32,6 +36,14 @@ std::vector<Warning> repair_warnings(const RepairReport& report) {
        "cut open: the surface has only one side there.");
   warn(ErrorCode::touching, report.nonmanifold_vertices, "point", "points",
        "found where parts of the surface meet in that point only.");
+  if (report.gap.points > 0)
+    warnings.push_back({ErrorCode::touching,
+                        std::to_string(report.gap.points) + " points of borders lie within " +
+                            short_number(report.gap.width) + " of other borders, the first at " +
+                            place_in_space(report.gap.at.x, report.gap.at.y, report.gap.at.z) +
+                            ". If the surface goes on there, close it with weld " +
+                            short_number(report.closing_weld) + ".",
+                        {}});
   return warnings;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/sort_numbers.h"
 #include "surface/face_borders.h"
 
 namespace lpq {
@@ -127,8 +128,7 @@ class SumMaker {
 
   /// Both sides of one curve add up.
   void end_sum(bool only_parity, bool between_circles = false) {
-    std::sort(row_.begin(), row_.end(),
-              [](const CountTerm& a, const CountTerm& b) { return a.curve < b.curve; });
+    sort_values(row_, [](const CountTerm& a, const CountTerm& b) { return a.curve < b.curve; });
     std::vector<CountTerm>& terms = sums_.terms.values;
     const std::size_t first = terms.size();
     for (const CountTerm& term : row_) {

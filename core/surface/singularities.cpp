@@ -3,9 +3,9 @@
 // halved by square roots, and whole turns are counted where the running product crosses the
 // negative real axis. What two neighbouring vertices see of one edge cancels exactly, so the sum
 // over a closed surface is 4 chi whatever the rounding.
-#include <algorithm>
 #include <cmath>
 
+#include "base/sort_numbers.h"
 #include "field/field.h"
 #include "surface/cross_field.h"
 #include "surface/fans.h"
@@ -73,7 +73,7 @@ std::vector<SurfaceSingularity> find_surface_singularities(const SurfaceMesh& me
     const int index = 4 + turning.turns;  // a flat vertex is 2 pi: four whole turns of z
     if (index != 0) result.push_back({mesh.origin(fans.corners.row(f)[0]), index});
   }
-  std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
+  sort_values(result, [](const auto& a, const auto& b) {
     return a.vertex != b.vertex ? a.vertex < b.vertex : a.index < b.index;
   });
   return result;

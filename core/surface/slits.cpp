@@ -10,6 +10,7 @@ namespace lpq {
 namespace {
 
 constexpr double long_edge = 100;  // times the reach
+constexpr double longer_than_gap = 20;
 
 }  // namespace
 
@@ -32,6 +33,29 @@ std::vector<Index> points_across_slits(std::span<const Vec3> points, std::span<c
   for (Index v = 0; v < count; ++v)
     if (first[v] != v) return first;
   return {};
+}
+
+BorderGap border_gap(std::span<const Vec3> points, std::span<const Tri> triangles, double reach,
+                     std::span<const Index> body) {
+  const auto count = static_cast<Index>(points.size());
+  const SurfaceEdges edges = surface_edges(triangles, count);
+  std::vector<char> used(points.size(), 0), at_short_edge = used;
+  for (Index e = 0; e < edges.count(); ++e) {
+    if (edges.half_edges.row(e).size() != 1) continue;
+    const auto [a, b] = edges.ends[e];
+    used[a] = used[b] = 1;
+    if (distance(points[a], points[b]) < longer_than_gap * reach)
+      at_short_edge[a] = at_short_edge[b] = 1;
+  }
+  for (Index v = 0; v < count; ++v) used[v] &= !at_short_edge[v];
+  const std::vector<Index> first = weld_points(points, used, reach, body);
+  BorderGap gap;
+  for (Index v = 0; v < count; ++v) {
+    if (first[v] == v) continue;
+    if (gap.points++ == 0) gap.at = points[v];
+    gap.width = std::max(gap.width, distance(points[v], points[first[v]]));
+  }
+  return gap;
 }
 
 }  // namespace lpq

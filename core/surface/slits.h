@@ -18,4 +18,16 @@ namespace lpq {
 std::vector<Index> points_across_slits(std::span<const Vec3> points, std::span<const Tri> triangles,
                                        double reach);
 
+/// Borders that lie beside each other without meeting.
+struct BorderGap {
+  Index points = 0;  // with a point of another border near them
+  double width = 0;  // the largest distance of two
+  Vec3 at;           // one of the first two
+};
+
+/// Gaps up to `reach` wide between points whose border edges are longer than twenty times that;
+/// none between points of different bodies (`body`: #V, or empty for one). Cost O(#T log #T).
+BorderGap border_gap(std::span<const Vec3> points, std::span<const Tri> triangles, double reach,
+                     std::span<const Index> body);
+
 }  // namespace lpq

@@ -21,4 +21,15 @@ struct SurfaceSoup {
   std::vector<Warning> warnings;        // what the file holds and the reader left out
 };
 
+struct SoupExtent {
+  std::vector<char> used;  // #points  whether a triangle has it
+  Index unused = 0;
+  double diagonal = 0;  // of the box around the used points
+};
+
+/// Errors: empty; parse_error for a corner, a group or a body that is not there; bad_size;
+/// non_finite; too_large beyond 1e100 (squares must not overflow); lost_precision for what is too
+/// small or large to calculate with. Cost O(#points + #T).
+Result<SoupExtent> check_soup(const SurfaceSoup& soup);
+
 }  // namespace lpq

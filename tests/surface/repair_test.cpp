@@ -2,12 +2,14 @@
 #include "surface/repair.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/rng.h"
 #include "catch.h"
 #include "support/surface_checks.h"
 #include "support/surface_shapes.h"
 #include "surface/bodies.h"
+#include "surface/repair_warnings.h"
 
 using namespace lpq;
 using namespace lpq_test;
@@ -214,6 +216,70 @@ TEST_CASE("slits without width are closed, narrow sheets and sheets side by side
   const auto result = repaired(strip);
   CHECK(result.report.slit_points == 0);
   CHECK(result.mesh.triangles.size() == strip.triangles.size());
+}
+
+TEST_CASE("points that hang on edges of another sheet are shared") {
+  // A square below an edge from 0 to 4 and three triangles above it, whose points divide the edge
+  // elsewhere: 1, 2 | 2.5 | 3; the point at 2.5 is the lower sheet's.
+  const std::vector<Vec3> points{{0, 0, 0}, {4, 0, 0}, {4, -3, 0}, {0, -3, 0}, {2.5, 0, 0},
+                                 {1, 0, 0}, {2, 0, 0}, {3, 0, 0},  {0, 3, 0},  {4, 3, 0}};
+  const std::vector<Tri> triangles{{0, 3, 4}, {3, 2, 4}, {2, 1, 4}, {0, 5, 8},
+                                   {5, 6, 8}, {6, 7, 8}, {7, 9, 8}, {7, 1, 9}};
+  for (const double off : {0.0, 1e-6, 1e-3}) {
+    SurfaceSoup soup = soup_of(points, triangles);
+    soup.points[6].z = off;
+    const auto result = repaired(soup);
+    const bool meets = off < 1e-5;
+    CHECK(result.report.hanging_points == (meets ? 4 : 2));
+    CHECK(result.mesh.triangles.size() == triangles.size() + (meets ? 4 : 2));
+    CHECK(area_of(result.mesh.points, result.mesh.triangles) == Approx(24));
+    const auto wide = repaired(soup, {.weld = 2e-4});
+    CHECK(wide.report.hanging_points == 4);
+    CHECK(wide.report.border_edges == 3 + 3);
+    CHECK(repaired(soup, {.weld = 0}).report.hanging_points == 0);
+  }
+}
+
+TEST_CASE("gaps between borders are told, with the weld that closes them") {
+  const SurfaceSoup box = box_soup({1, 2, 3}, 4);
+  for (const double gap : {1e-5, 1e-3, 0.1}) {
+    SurfaceSoup soup = box;
+    const std::size_t per_side = soup.triangles.size() / 6;
+    const auto first = static_cast<Index>(soup.points.size());
+    soup.points.insert(soup.points.end(), box.points.begin(), box.points.end());
+    for (std::size_t v = first; v < soup.points.size(); ++v) soup.points[v] += Vec3{gap, gap, gap};
+    for (std::size_t t = 0; t < per_side; ++t)
+      for (Index& v : soup.triangles[t]) v += first;
+    const auto open = repaired(soup);
+    CHECK(open.report.border_edges == 2 * 16);
+    CHECK(open.report.gap.points == (gap < 0.1 ? 16 : 0));
+    CHECK(repair_warnings(open.report).size() == (gap < 0.1 ? 1 : 0));
+    if (gap == 0.1) continue;
+    CHECK(open.report.gap.width == Approx(gap * std::sqrt(3.0)));
+    const auto closed = repaired(soup, {.weld = open.report.closing_weld});
+    CHECK(closed.report.border_edges == 0);
+    CHECK(closed.report.gap.points == 0);
+  }
+}
+
+TEST_CASE("a closed body whose sides are divided differently is closed") {
+  // Each side of the box comes with a grid of its own, 1 to 6 steps: only the corners are shared.
+  SurfaceSoup soup;
+  for (int side = 0; side < 6; ++side) {
+    const SurfaceSoup box = box_soup({1, 1, 1}, side + 1);
+    const auto first = static_cast<Index>(soup.points.size());
+    soup.points.insert(soup.points.end(), box.points.begin(), box.points.end());
+    const std::size_t per_side = box.triangles.size() / 6;
+    for (std::size_t t = side * per_side; t < (side + 1) * per_side; ++t)
+      soup.triangles.push_back(
+          {box.triangles[t][0] + first, box.triangles[t][1] + first, box.triangles[t][2] + first});
+  }
+  const auto result = repaired(soup);
+  CHECK(result.report.components == 1);
+  CHECK(result.report.border_edges == 0);
+  CHECK(result.report.hanging_points > 0);
+  CHECK(volume_of(result.mesh) == Approx(1));
+  CHECK(area_of(result.mesh.points, result.mesh.triangles) == Approx(6));
 }
 
 TEST_CASE("flat triangles go and leave no gap") {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/sort_numbers.h"
 #include "shell/shape/cover.h"
 #include "shell/shape/mend.h"
 
@@ -64,8 +65,9 @@ class TipReacher {
       places_at_[gap.face].push_back(&at);
       if (gap.distance > far_off) tips.push_back({&at, gap});
     }
-    std::stable_sort(tips.begin(), tips.end(),
-                     [](const Tip& a, const Tip& b) { return a.gap.distance > b.gap.distance; });
+    sort_values(tips, [](const Tip& a, const Tip& b) {
+      return a.gap.distance != b.gap.distance ? a.gap.distance > b.gap.distance : a.at < b.at;
+    });
     return tips;
   }
 

@@ -1,8 +1,8 @@
 #include "surface/charts/charts.h"
 
-#include <algorithm>
 #include <utility>
 
+#include "base/sort_numbers.h"
 #include "surface/charts/chart_maker.h"
 #include "surface/components.h"
 
@@ -150,8 +150,8 @@ void ChartMaker::cut_up() {
 }
 
 Atlas ChartMaker::finish() {
-  std::sort(atlas_.charts.begin(), atlas_.charts.end(),
-            [](const Chart& a, const Chart& b) { return a.triangles[0] < b.triangles[0]; });
+  sort_values(atlas_.charts,
+              [](const Chart& a, const Chart& b) { return a.triangles[0] < b.triangles[0]; });
   return std::move(atlas_);
 }
 

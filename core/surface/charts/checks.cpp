@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/sort_numbers.h"
 #include "domain/box_tree.h"
 #include "geometry/predicates_inline.h"
 #include "geometry/segment.h"
@@ -23,7 +24,7 @@ struct Weighted {
 
 // The value below which `share` of the area lies.
 double quantile(std::vector<Weighted>& values, double share) {
-  std::sort(values.begin(), values.end(), [](const Weighted& a, const Weighted& b) {
+  sort_values(values, [](const Weighted& a, const Weighted& b) {
     return a.value != b.value ? a.value < b.value : a.area < b.area;
   });
   double total = 0, sum = 0;

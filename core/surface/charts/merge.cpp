@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/sort_numbers.h"
 #include "surface/charts/chart_maker.h"
 
 namespace lpq {
@@ -35,7 +36,7 @@ std::vector<ChartMaker::Neighbours> ChartMaker::neighbours() const {
       pieces.push_back(
           {a, b, distance(mesh_.points[mesh_.origin(e)], mesh_.points[mesh_.target(e)])});
   }
-  std::sort(pieces.begin(), pieces.end(), [](const Neighbours& p, const Neighbours& q) {
+  sort_values(pieces, [](const Neighbours& p, const Neighbours& q) {
     return std::tie(p.a, p.b, p.shared) < std::tie(q.a, q.b, q.shared);
   });
   std::vector<Neighbours> pairs;
@@ -47,7 +48,7 @@ std::vector<ChartMaker::Neighbours> ChartMaker::neighbours() const {
   for (Neighbours& pair : pairs)
     pair.shared /= std::min(border_length(mesh_, atlas_.charts[pair.a]),
                             border_length(mesh_, atlas_.charts[pair.b]));
-  std::sort(pairs.begin(), pairs.end(), [](const Neighbours& p, const Neighbours& q) {
+  sort_values(pairs, [](const Neighbours& p, const Neighbours& q) {
     return std::tie(q.shared, p.a, p.b) < std::tie(p.shared, q.a, q.b);
   });
   return pairs;

@@ -1,0 +1,111 @@
+// See soup.h.
+#include "surface/soup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "base/words.h"
+
+namespace lpq {
+namespace {
+
+constexpr double smallest_surface = 1e-30,
+                 largest_surface = 1e30;  // sixth powers of lengths are taken
+constexpr double largest_coordinate = 1e100;
+
+using Check = std::optional<Error>;
+
+Check check_corners(const SurfaceSoup& soup, SoupExtent& extent) {
+  const auto count = static_cast<Index>(soup.points.size());
+  extent.used.assign(soup.points.size(), 0);
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    for (const Index v : soup.triangles[t]) {
+      if (v < 0 || v >= count)
+        return Error{ErrorCode::parse_error,
+                     "Triangle " + std::to_string(t) + " has point " + std::to_string(v) +
+                         ", but the points are 0 to " + std::to_string(count - 1) + ".",
+                     {}};
+      extent.used[v] = 1;
+    }
+  return std::nullopt;
+}
+
+/// One label below `names` for each triangle, or none at all.
+Check check_labels(const char* what, const std::vector<Index>& labels, std::size_t triangles,
+                   std::size_t names) {
+  const auto is_wrong = [most = static_cast<Index>(names)](Index label) {
+    return label < 0 || label >= most;
+  };
+  if (labels.empty()) return std::nullopt;
+  if (labels.size() == triangles && std::none_of(labels.begin(), labels.end(), is_wrong))
+    return std::nullopt;
+  return Error{ErrorCode::parse_error,
+               std::string("Every triangle needs a ") + what +
+                   ", counted from 0, as many as there are names; give one for each, or none.",
+               {}};
+}
+
+Check check_sizes(const SurfaceSoup& soup) {
+  if (!soup.sizes.empty() && soup.sizes.size() != soup.points.size())
+    return Error{ErrorCode::bad_size,
+                 "There are " + std::to_string(soup.sizes.size()) + " sizes for " +
+                     std::to_string(soup.points.size()) + " points; give one for each.",
+                 {}};
+  for (std::size_t p = 0; p < soup.sizes.size(); ++p)
+    if (!(std::isfinite(soup.sizes[p]) && soup.sizes[p] >= 0))
+      return Error{
+          ErrorCode::bad_size,
+          "The size at point " + std::to_string(p) + " is no length; give 0 where there is none.",
+          {}};
+  return std::nullopt;
+}
+
+Check check_points(const std::vector<Vec3>& points, SoupExtent& extent) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vec3 low{infinity, infinity, infinity}, high = -low;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (!extent.used[v]) {
+      ++extent.unused;
+      continue;
+    }
+    const Vec3 p = points[v];
+    if (!is_finite(p))
+      return Error{ErrorCode::non_finite,
+                   "Point " + std::to_string(v) + " has a coordinate that is not finite.",
+                   {}};
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  for (const double x : {low.x, low.y, low.z, high.x, high.y, high.z})
+    if (std::fabs(x) > largest_coordinate)
+      return Error{ErrorCode::too_large, "A coordinate is larger than 1e100.", {}};
+  extent.diagonal = length(high - low);
+  if (low == high || (extent.diagonal > smallest_surface && extent.diagonal < largest_surface))
+    return std::nullopt;
+  return Error{ErrorCode::lost_precision,
+               "The surface is " + short_number(extent.diagonal) +
+                   " across; its numbers are beyond what double precision can calculate with. "
+                   "Use another unit of length: between 1e-30 and 1e30.",
+               {}};
+}
+
+}  // namespace
+
+Result<SoupExtent> check_soup(const SurfaceSoup& soup) {
+  const std::size_t triangles = soup.triangles.size();
+  // Triangles without groups are all in one, and bodies need no names.
+  const std::size_t groups = soup.group_names.size();
+  const std::size_t bodies = std::max(soup.body_names.size(), triangles);
+  SoupExtent extent;
+  if (triangles == 0) return Error{ErrorCode::empty, "The surface has no triangle.", {}};
+  if (const Check error = check_corners(soup, extent)) return *error;
+  if (const Check error = check_labels("group", soup.group, triangles, groups)) return *error;
+  if (const Check error = check_labels("body", soup.body, triangles, bodies)) return *error;
+  if (const Check error = check_sizes(soup)) return *error;
+  if (const Check error = check_points(soup.points, extent)) return *error;
+  return extent;
+}
+
+}  // namespace lpq
