@@ -84,7 +84,7 @@ SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> g
   // Only now, so that chains divide no others on their way.
   extend_sharp_chains(mesh, angles, options, features);
   unmark_smooth_edges(marks, features);
-  drop_small_heaps(mesh, size, options, features);
+  drop_small_heaps(mesh, size, angles, options, features);
   unfold_needles(mesh, size, angles, options, features);
   number_faces(mesh, features);
   mark_corners(mesh, size, options.corner_angle, features);

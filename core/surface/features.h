@@ -15,7 +15,8 @@ struct FeatureOptions {
   double hysteresis = 0.6;     // part of the angle from which an edge carries on a sharp chain
   double shortest = 5;         // mesh sizes; shorter chains that do not stand out are noise, and so
                                // are others that have a loose end
-  double shortest_loop = 1.5;  // mesh sizes; the same for heaps without loose ends, except rims
+  double shortest_loop = 1.5;  // mesh sizes; smaller heaps without loose ends that do not stand out
+                               // are noise, except rims
   double shortest_stub = 1;    // mesh sizes; shorter side branches with a loose end are noise
   double corner_angle = 40;    // degrees of turn from which a curve has a corner
   double bend_angle = 70;      // degrees of turn within a mesh size that are a corner, too
@@ -51,15 +52,15 @@ struct SurfaceFeatures {
 /// about as uneven, as it is on scans (see sharp_chains.h), and so are short pieces that become a
 /// long chain when the branches between them are gone. Chains that stand out go on, straight ahead,
 /// down to the angle's part `hysteresis` (as edges in pictures [C86]), where they still stand out
-/// then; what of them is too short for the mesh size and touches nothing hard is dropped (but never
-/// a plain closed line of eight edges or more: the rim of a hole). Triangles so flat that their
-/// normals are noise, and needles that are nothing beside the mesh, take their normals from their
-/// neighbours (normals.h). Where a chain of noise folds back along a needle it becomes one line
-/// (needles.h). Corners: where other than two features meet, where a curve turns (both at the
-/// vertex and between points half a mesh size away), in the middle of bends that are smaller than
-/// the mesh (see bends.h), where the faces along a curve change, and where sheets meet in a point
-/// only. Faces are connected across edges that are no features, numbered by first triangle. Cost
-/// O(#T log #T).
+/// then; what of them is too short for the mesh size and touches nothing hard is dropped (but
+/// neither a plain closed line of eight edges or more, the rim of a hole, nor what has no loose end
+/// and stands out, such as the edges of a square one). Triangles so flat that their normals are
+/// noise, and needles that are nothing beside the mesh, take their normals from their neighbours
+/// (normals.h). Where a chain of noise folds back along a needle it becomes one line (needles.h).
+/// Corners: where other than two features meet, where a curve turns (both at the vertex and between
+/// points half a mesh size away), in the middle of bends that are smaller than the mesh (see
+/// bends.h), where the faces along a curve change, and where sheets meet in a point only. Faces are
+/// connected across edges that are no features, numbered by first triangle. Cost O(#T log #T).
 SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> size,
                               const FeatureOptions& options = {}, const FeatureMarks& marks = {});
 

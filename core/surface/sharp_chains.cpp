@@ -13,6 +13,11 @@ constexpr double straight_on = 0.5;
 
 }  // namespace
 
+bool Unevenness::is_beyond(double most) const {
+  const double limit = most * bend / on;
+  return squares > limit * limit * beside;
+}
+
 SharpChains::SharpChains(const SurfaceMesh& mesh, std::span<const double> angles,
                          double sharp_angle, SurfaceFeatures& features)
     : edges_(features.edges),
@@ -87,17 +92,17 @@ bool SharpChains::is_ahead(const SharpChain& chain, std::size_t k, Index edge) c
 }
 
 bool SharpChains::is_rough(const SharpChain& chain, bool may_fade) const {
-  double bend = 0, squares = 0, count = 0;
-  for (const Index edge : chain.edges) bend += angles_[edge];
-  bend /= static_cast<double>(chain.edges.size());
+  Unevenness around;
+  for (const Index edge : chain.edges) around.bend += angles_[edge];
+  around.on = static_cast<double>(chain.edges.size());
   for (std::size_t k = 0; k < chain.vertices.size(); ++k)
     for (const Index i : at_.row(chain.vertices[k])) {
       if (features_.is_feature(i) || angles_[i] > sharp_angle_) continue;
       if (may_fade && is_ahead(chain, k, i)) continue;
-      squares += angles_[i] * angles_[i];
-      ++count;
+      around.squares += angles_[i] * angles_[i];
+      ++around.beside;
     }
-  return squares > uneven * uneven * bend * bend * count;
+  return around.is_beyond(uneven);
 }
 
 }  // namespace lpq

@@ -16,6 +16,16 @@ struct SharpChain {
   bool is_closed() const { return vertices.front() == vertices.back(); }
 };
 
+/// A crease bends much more than the surface beside it. Where that is about as uneven, sharp edges
+/// are what noise leaves above the angle.
+struct Unevenness {
+  double bend = 0, squares = 0;  // sums: degrees on the crease, their squares on edges beside it
+  double on = 0, beside = 0;     // numbers of edges
+
+  /// `most`: of the bend of the crease, the mean (root of squares) beside it.
+  bool is_beyond(double most) const;
+};
+
 class SharpChains {
  public:
   /// `angles` in degrees between the normals at every edge, see edge_angles.
@@ -32,9 +42,7 @@ class SharpChains {
   /// Any feature there, or none.
   Index feature_at(Index v) const;
 
-  /// A crease bends much more than the surface beside it. Where that is about as uneven, sharp
-  /// edges are what noise leaves above the angle. A chain that may fade is not judged by the edges
-  /// straight ahead of its ends.
+  /// A chain that may fade is not judged by the edges straight ahead of its ends.
   bool is_rough(const SharpChain& chain, bool may_fade) const;
 
  private:

@@ -108,19 +108,23 @@ struct Heap {
   double sizes = 0;   // sum over its edge ends
   double length = 0;  // twice
   Index ends = 0;
+  Unevenness around;
   bool hard = false, loose = false, branched = false;
 };
 
 // Noise goes around a triangle or around a vertex and its six or so neighbours; a plain loop of
 // more edges, however small, is the rim of a hole.
 constexpr Index fewest_of_rim = 8;
+// Smaller things stay in flat faces only, such as square holes: how uneven these may be, of the bend.
+constexpr double uneven = 0.02;
 
 class HeapFilter {
  public:
-  HeapFilter(const SurfaceMesh& mesh, std::span<const double> size, const FeatureOptions& options,
-             SurfaceFeatures& features)
+  HeapFilter(const SurfaceMesh& mesh, std::span<const double> size, std::span<const double> angles,
+             const FeatureOptions& options, SurfaceFeatures& features)
       : mesh_(mesh),
         size_(size),
+        angles_(angles),
         options_(options),
         features_(features),
         sets_(mesh.vertex_count()),
@@ -137,6 +141,7 @@ class HeapFilter {
     for_each_feature([&](Index i) {
       for (const Index v : features_.edges.ends[i]) gather(v, i, valence[v]);
     });
+    look_beside(valence);
     for_each_feature([&](Index i) {
       if (is_noise(heaps_[sets_.root(features_.edges.ends[i][0])]))
         features_.kind[i] = FeatureKind::smooth;
@@ -161,9 +166,21 @@ class HeapFilter {
     ++heap.ends;
     const auto& [a, b] = features_.edges.ends[edge];
     heap.length += distance(mesh_.points[a], mesh_.points[b]);
+    heap.around.bend += angles_[edge];
+    ++heap.around.on;
     heap.hard = heap.hard || features_.kind[edge] > FeatureKind::sharp;
     heap.loose = heap.loose || valence == 1;
     heap.branched = heap.branched || valence > 2;
+  }
+
+  void look_beside(const std::vector<Index>& valence) {
+    for (Index i = 0; i < features_.edges.count(); ++i)
+      for (const Index v : features_.edges.ends[i]) {
+        if (valence[v] == 0 || features_.is_feature(i) || angles_[i] > options_.angle) continue;
+        Unevenness& around = heaps_[sets_.root(v)].around;
+        around.squares += angles_[i] * angles_[i];
+        ++around.beside;
+      }
   }
 
   bool is_noise(const Heap& heap) const {
@@ -171,11 +188,12 @@ class HeapFilter {
     if (!heap.loose && !heap.branched && heap.ends >= 2 * fewest_of_rim) return false;
     const double size = heap.sizes / heap.ends;
     if (heap.loose) return 0.5 * heap.length < options_.shortest * size;
-    return length(heap.high - heap.low) < options_.shortest_loop * size;
+    return heap.around.is_beyond(uneven) &&
+           length(heap.high - heap.low) < options_.shortest_loop * size;
   }
 
   const SurfaceMesh& mesh_;
-  std::span<const double> size_;
+  std::span<const double> size_, angles_;
   const FeatureOptions& options_;
   SurfaceFeatures& features_;
   DisjointSets sets_;
@@ -191,8 +209,9 @@ void drop_short_chains(const SurfaceMesh& mesh, std::span<const double> size,
 }
 
 void drop_small_heaps(const SurfaceMesh& mesh, std::span<const double> size,
-                      const FeatureOptions& options, SurfaceFeatures& features) {
-  HeapFilter(mesh, size, options, features).run();
+                      std::span<const double> angles, const FeatureOptions& options,
+                      SurfaceFeatures& features) {
+  HeapFilter(mesh, size, angles, options, features).run();
 }
 
 }  // namespace lpq

@@ -15,6 +15,7 @@ void drop_short_chains(const SurfaceMesh& mesh, std::span<const double> size,
 
 /// The same where connected chains are short altogether.
 void drop_small_heaps(const SurfaceMesh& mesh, std::span<const double> size,
-                      const FeatureOptions& options, SurfaceFeatures& features);
+                      std::span<const double> angles, const FeatureOptions& options,
+                      SurfaceFeatures& features);
 
 }  // namespace lpq

@@ -158,16 +158,17 @@ TEST_CASE("small bumps are noise, unless they touch something hard") {
 }
 
 TEST_CASE("rims of holes are kept at every size, small loops of noise are not") {
-  // A plate with a round pit of so many sides.
-  const auto pit = [](int sides) {
+  // A plate with a round pit of so many sides; the points of its rim go up and down.
+  const auto pit = [](int sides, double uneven, double width = 30) {
     SurfaceSoup soup;
+    const std::vector<double> bumps = bumps_of(sides, 1, 3);
     const auto ring = [&](double r, double z) {
       for (int i = 0; i < sides; ++i) {
         const double angle = 2 * 3.14159265358979 * i / sides;
-        soup.points.push_back({r * std::cos(angle), r * std::sin(angle), z});
+        soup.points.push_back({r * std::cos(angle), r * std::sin(angle), z + uneven * bumps[i]});
       }
     };
-    ring(30, 0);
+    ring(width, 0);
     ring(1, 0);
     ring(1, -2);
     soup.points.push_back({0, 0, -2});
@@ -182,8 +183,10 @@ TEST_CASE("rims of holes are kept at every size, small loops of noise are not") 
     }
     return mesh_of(soup);
   };
-  CHECK(features_of(pit(16), 10).face_count == 3);
-  CHECK(features_of(pit(5), 10).face_count == 1);
+  CHECK(features_of(pit(16, 0), 10).face_count == 3);
+  CHECK(features_of(pit(4, 0), 10).face_count == 1 + 4 + 1);
+  CHECK(features_of(pit(5, 0), 10).face_count == 1 + 5 + 1);
+  CHECK(features_of(pit(5, 0.5, 6), 10).face_count == 1);
 }
 
 TEST_CASE("borders between groups are kept, and the caller has the last word") {

@@ -12,6 +12,7 @@ constexpr int rings = 2;
 constexpr int smoothed_rings = 5, covered_rings = 3;  // of patches that cover the mesh
 constexpr int mean_ratio_rounds = 6, mean_ratio_steps = 15, eta_steps = 40;
 constexpr double eta_tolerance = 1e-4;
+constexpr double good = 0.98;         // eta; patches without worse quads have nothing to gain
 constexpr double least_moved = 0.02;  // eta; worse quads stay as they are while others move
 // Of the longest side of a face: a side that is shorter still grows.
 constexpr double shortest_side = 0.03;
@@ -87,6 +88,7 @@ class Mender::Run {
     ShapePatch patch = take_patch(mesh_, roles_, stars_, faces_around(f, smoothed_rings));
     ShapeSmoother smoother(ground_, patch.roles, options_, patch.mesh);
     const Verdict before = smoother.verdict();
+    if (before.worst >= good) return;
     smoother.descend_eta(smoother.part_above(least_moved), eta_steps, eta_tolerance, evenness);
     if (!is_better(smoother.verdict(), before, 0)) return;
     patch.roles = smoother.freedom().roles();
