@@ -26,7 +26,7 @@ void mark_hard_edges(const SurfaceMesh& mesh, const FeatureOptions& options,
   const SurfaceEdges& edges = features.edges;
   for (Index i = 0; i < edges.count(); ++i) {
     const auto around = edges.half_edges.row(i);
-    if (mesh.twins[around[0]] == none) {
+    if (around.size() != 2 || mesh.twins[around[0]] == none) {
       features.kind[i] = FeatureKind::wall;
     } else if (options.groups &&
                mesh.group[triangle_of(around[0])] != mesh.group[triangle_of(around[1])]) {

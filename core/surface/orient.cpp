@@ -1,6 +1,7 @@
 #include "surface/orient.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "surface/edges.h"
@@ -16,11 +17,12 @@ class Orienter {
   Orientation run() {
     turned_.assign(mesh_.triangles.size(), 0);
     reached_.assign(mesh_.triangles.size(), 0);
+    component_.assign(mesh_.triangles.size(), none);
     for (Index t = 0; t < mesh_.triangle_count(); ++t) {
       if (reached_[t]) continue;
       grow(t);
-      ++result_.components;
       settle();
+      ++result_.components;
     }
     turn_triangles();
     link();
@@ -63,6 +65,7 @@ class Orienter {
     std::size_t turned = 0;
     bool closed = true;
     for (const Index t : part_) {
+      component_[t] = result_.components;
       turned += turned_[t];
       for (Index e = 3 * t; e < 3 * t + 3; ++e) {
         const Index f = partner(e);
@@ -104,13 +107,44 @@ class Orienter {
         ++result_.borders;
       } else if (around.size() > 2) {
         ++result_.nonmanifold;
+        while (link_straightest(around)) {
+        }
       } else if (runs_the_same_way(around[0], around[1])) {
         ++result_.conflicts;
       } else {
-        mesh_.twins[around[0]] = around[1];
-        mesh_.twins[around[1]] = around[0];
+        link(around[0], around[1]);
       }
     }
+  }
+  void link(Index e, Index f) {
+    mesh_.twins[e] = f;
+    mesh_.twins[f] = e;
+  }
+
+  /// A sheet goes on beneath another that ends on it: else it would have a slit there, whose sides
+  /// lie on each other in any plane. Of one part only, as parts have orientations of their own.
+  bool link_straightest(std::span<const Index> around) {
+    Index best_e = none, best_f = none;
+    double best = -2;
+    for (const Index e : around)
+      for (const Index f : around) {
+        if (f <= e || mesh_.twins[e] != none || mesh_.twins[f] != none) continue;
+        if (component_[triangle_of(e)] != component_[triangle_of(f)] || runs_the_same_way(e, f))
+          continue;
+        const Vec3 m = normal(e), n = normal(f);
+        const double cosine = dot(m, n) / std::max(length(m) * length(n), 1e-300);
+        if (!(cosine > best)) continue;
+        best = cosine;
+        best_e = e;
+        best_f = f;
+      }
+    if (best_e != none) link(best_e, best_f);
+    return best_e != none;
+  }
+
+  Vec3 normal(Index e) const {
+    const Vec3 a = mesh_.points[mesh_.origin(e)];
+    return cross(mesh_.points[mesh_.target(e)] - a, mesh_.points[mesh_.apex(e)] - a);
   }
 
   void count_pinched() {
@@ -121,6 +155,7 @@ class Orienter {
   SurfaceMesh& mesh_;
   SurfaceEdges edges_;
   std::vector<char> turned_, reached_;  // #T
+  std::vector<Index> component_;        // #T
   std::vector<Index> part_;             // triangles of the part being judged
   Orientation result_;
 };

@@ -18,7 +18,8 @@ struct Orientation {
 /// from the first triangle of each part. A part of which some were turned ends up with its outside
 /// out if it is closed, else as most of its triangles were. Every other edge is a wall: borders,
 /// edges where more than two triangles meet, and edges where a one-sided part (a Moebius band)
-/// comes back the wrong way round. No triangle may repeat a corner. Cost O(#T log valence).
+/// comes back the wrong way round. Where a sheet goes on beneath another that ends on it, its two
+/// triangles are twins all the same. No triangle may repeat a corner. Cost O(#T log valence).
 Orientation orient_surface(SurfaceMesh& mesh);
 
 }  // namespace lpq

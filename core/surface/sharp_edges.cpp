@@ -101,7 +101,7 @@ std::vector<double> edge_angles(const SurfaceMesh& mesh, std::span<const double>
   std::vector<double> angles(edges.ends.size(), 0);
   for (Index i = 0; i < edges.count(); ++i) {
     const auto around = edges.half_edges.row(i);
-    if (mesh.twins[around[0]] == none) continue;
+    if (around.size() != 2 || mesh.twins[around[0]] == none) continue;
     const Vec3 n = normals[triangle_of(around[0])], m = normals[triangle_of(around[1])];
     if (n == Vec3{} || m == Vec3{}) continue;
     angles[i] = arc_tangent(length(cross(n, m)), dot(n, m)) * (180 / pi);

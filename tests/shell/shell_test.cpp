@@ -184,6 +184,45 @@ TEST_CASE("parts of a surface that meet in a point keep that point") {
   CHECK(std::count(outcome.mesh.points.begin(), outcome.mesh.points.end(), *top) == 1);
 }
 
+TEST_CASE("a rib that ends inside a plate is an edge of both") {
+  // Straight, tilted, and on a cone whose tip is the rib's end.
+  for (const Vec3 up : {Vec3{0, 0, 1}, Vec3{0.6, 0, 0.8}}) {
+    const Vec3 along{up.z, 0, -up.x};
+    SurfaceSoup soup;
+    const std::vector<Vec3> flat{{0, 0, 0}, {10, 0, 0}, {10, 6, 0}, {0, 6, 0},
+                                 {2, 3, 0}, {8, 3, 0},  {2, 3, 2},  {8, 3, 2}};
+    for (const Vec3 p : flat) soup.points.push_back(p.x * along + Vec3{0, p.y, 0} + p.z * up);
+    soup.triangles = {{0, 1, 4}, {1, 5, 4}, {1, 2, 5}, {2, 3, 5},
+                      {3, 4, 5}, {3, 0, 4}, {4, 5, 7}, {4, 7, 6}};
+    const ShellOutcome outcome = meshed(soup, {.size = 0.4});
+    CHECK(outcome.report.faces == 2);
+    CHECK(outcome.report.quality.eta_mean > 0.95);
+    CHECK(shell_topology(outcome.mesh.faces).meeting_edges >= 15);
+  }
+  SurfaceSoup spire;
+  constexpr Index sides = 12;
+  for (int i = 0; i < sides; ++i)
+    spire.points.push_back(
+        {0.25 * std::cos(2 * pi * i / sides), 0.25 * std::sin(2 * pi * i / sides), 0});
+  spire.points.insert(spire.points.end(), {{0, 0, 1}, {0.5, 0, 1}});
+  for (Index i = 0; i < sides; ++i) spire.triangles.push_back({i, (i + 1) % sides, sides});
+  spire.triangles.push_back({0, sides, sides + 1});
+  const ShellOutcome outcome = meshed(spire, {.size = 0.06});
+  CHECK(outcome.report.quality.eta_min > 0.1);
+}
+
+TEST_CASE("sheets that meet along one edge only, and not at its ends, have it twice") {
+  // Two tents that share their ridge: four triangles on it, all of one part.
+  SurfaceSoup soup;
+  soup.points = {{0, 0, 0},   {1, 0, 0},    {0.5, 1, -1}, {0.5, -1, -1},
+                 {0.5, 1, 1}, {0.5, -1, 1}, {3, 1, 0},    {3, -1, 0}};
+  soup.triangles = {{0, 1, 2}, {1, 0, 3}, {1, 0, 4}, {0, 1, 5},
+                    {1, 6, 2}, {1, 4, 6}, {1, 3, 7}, {1, 7, 5}};
+  const ShellOutcome outcome = meshed(soup, {.size = 0.15});
+  CHECK(outcome.report.repair.nonmanifold_edges == 1);
+  CHECK(shell_topology(outcome.mesh.faces).meeting_edges >= 4);
+}
+
 TEST_CASE("bodies that share a side get closed meshes, each as if it were alone") {
   const SurfaceOptions options{.size = 0.2};
   const ShellOutcome pair = meshed(touching_boxes(2), options);
