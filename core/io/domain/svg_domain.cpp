@@ -21,7 +21,7 @@ class SvgReader {
 
  private:
   void flatten();
-  void warn(bool applies, std::string message);
+  void warn(bool applies, std::string message, ErrorCode code = ErrorCode::ignored);
   void warn_of_elements();
   Result<DomainFile> finish();
 
@@ -51,13 +51,14 @@ void SvgReader::flatten() {
   }
 }
 
-void SvgReader::warn(bool applies, std::string message) {
-  if (applies) file_.warnings.push_back({ErrorCode::parse_error, std::move(message), {}});
+void SvgReader::warn(bool applies, std::string message, ErrorCode code) {
+  if (applies) file_.warnings.push_back({code, std::move(message), {}});
 }
 
 void SvgReader::warn_of_elements() {
   warn(closed_by_fill_ > 0,
-       "Open paths were closed, as their fill is: " + std::to_string(closed_by_fill_) + ".");
+       "Open paths were closed, as their fill is: " + std::to_string(closed_by_fill_) + ".",
+       ErrorCode::adapted);
   warn(found_.left_out.any(), "Left out: " + found_.left_out.text() + ".");
   warn(found_.unread_rules > 0,
        "Style rules for more than a name, a class or an id were left out: " +

@@ -112,6 +112,7 @@ class ObjSurfaceReader {
   void warn_of_short_faces() {
     first_short_.message = std::to_string(short_faces_) +
                            " faces with fewer than three corners are left out; here is the first.";
+    first_short_.code = ErrorCode::ignored;
     builder_.warn(first_short_);
   }
 

@@ -104,7 +104,7 @@ class PlyReader {
     if (!builder_.has_polygon()) return Error{ErrorCode::empty, "The file has no face.", {}};
     if (short_faces_ > 0)
       builder_.warn(
-          {ErrorCode::parse_error,
+          {ErrorCode::ignored,
            std::to_string(short_faces_) + " faces with fewer than three corners are left out.",
            {}});
     return builder_.take();
