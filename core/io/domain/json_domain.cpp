@@ -151,7 +151,8 @@ bool Reader::open(Kind kind) {
   const Role role = next_role();
   if (!begin_value(kind, kind == Kind::object ? "an object" : "an array")) return false;
   if (frames_.size() >= json_max_depth) {
-    fail(ErrorCode::parse_error, path() + " is nested too deeply.");
+    fail(ErrorCode::parse_error, path().substr(0, 80) + ".. is nested more than " +
+                                     std::to_string(json_max_depth) + " deep.");
     return false;
   }
   create(role);

@@ -76,6 +76,8 @@ class StlTextReader {
   void fail(std::string message, ErrorCode code = ErrorCode::parse_error) {
     if (failed_) return;
     failed_ = true;
+    if (next_ >= text_.size() && start_ < text_.size())
+      message += " It is the last word: the file may have been cut off.";
     error_ = error_at(text_, start_, std::move(message), code);
   }
 
