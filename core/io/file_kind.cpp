@@ -1,6 +1,8 @@
 // See file_kind.h.
 #include "io/file_kind.h"
 
+#include <algorithm>
+
 #include "io/domain/domain_format.h"
 #include "io/surface/surface_format.h"
 #include "io/surface/surface_text.h"
@@ -61,6 +63,8 @@ constexpr Ending foreign_endings[] = {
     {"bdf nas fem", "a Nastran file", as_mesh},
     {"su2", "an SU2 mesh", as_mesh},
     {"mesh meshb", "a Medit mesh", as_mesh},
+    {"node ele", "a part of Triangle's files",
+     "Give the .poly file, with the lines of the .node file in it."},
     {"geo geo_unrolled", "a script of Gmsh",
      "Mesh its curves (gmsh -1) or surfaces (gmsh -2), and give the .msh file."},
     {"cgns", "a CGNS file", as_mesh},
@@ -158,6 +162,8 @@ FileKind kind_of_json(std::string_view text) {
   const auto has = [&](std::string_view part) { return text.find(part) != std::string_view::npos; };
   if (has("\"asset\"") && (has("\"meshes\"") || has("\"bufferViews\"")))
     return {"a glTF scene", as_surface};
+  if (has("\"Topology\"") && has("\"arcs\"")) return {"a TopoJSON map", as_map};
+  if (has("\"rings\"") && has("\"spatialReference\"")) return {"a map of ArcGIS", as_map};
   if (has("\"edgeRegions\"") && has("\"edgeTag\""))
     return {"a mesh as lpquad writes it", mesh_again};
   return {"JSON", "Only domains in the plane are read from that; name such one .json.",
@@ -197,6 +203,23 @@ std::optional<Error> empty_file(std::string_view bytes) {
   if (without_blanks(bytes).empty())
     return Error{ErrorCode::empty, "There is nothing but blanks in the file.", {}};
   return std::nullopt;
+}
+
+/// Two or three numbers in the first or, after a title, the second line.
+bool is_list_of_points(std::string_view text) {
+  LineReader lines(text);
+  for (int line = 0; line < 2; ++line) {
+    std::string plain(lines.next());
+    std::replace_if(
+        plain.begin(), plain.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
+    Words words;
+    words.split(plain);
+    double number = 0;
+    std::size_t numbers = 0;
+    while (numbers < words.size() && parse_number(words[numbers], number)) ++numbers;
+    if (numbers == words.size() && (numbers == 2 || numbers == 3)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -245,6 +268,8 @@ Error unknown_format(std::string_view file_name, std::string_view bytes) {
   } else {
     if (auto empty = empty_file(bytes)) return *std::move(empty);
     kind = kind_by_content(bytes);
+    if (!kind && is_list_of_points(bytes))
+      kind = FileKind{"a list of points", "Write it as JSON: {\"loops\": [[[x, y], [x, y], ..]]}."};
     text = kind ? "This looks like " + kind->what + ". " + kind->advice
                 : "The format of this file is not known.";
   }

@@ -81,7 +81,7 @@ TEST_CASE("a surface under another format's name is called by its own") {
   for (const char* name : {"box.json", "box.geojson", "box.dxf", "box.poly", "box.svg"})
     CHECK(contains(domain_error(name, binary).message, "looks like an STL file. Name it .stl."));
   // What is wrong within the format that the name says is told as before.
-  CHECK(contains(surface_error("x.obj", "v 0 0 0\nf 1 2 3\n").message, "vertex that is not there"));
+  CHECK(contains(surface_error("x.obj", "v 0 0 0\nf 1 2 3\n").message, "from 1 to 1"));
 }
 
 TEST_CASE("archives, pages, pictures and pointers are told in every format") {
@@ -222,4 +222,43 @@ TEST_CASE("meshes as they are written are no domains, and told so") {
   CHECK(read_domain_file("m.geojson",
                          R"({"type":"Feature",)" + square + R"(,"properties":{"eta":"12:30"}})")
             .has_value());
+}
+
+TEST_CASE("numbers and corners that are wrong are repeated, with what to do") {
+  const std::string comma = "Write decimals with a point: '0,5' has a comma.";
+  CHECK(contains(surface_error("x.obj", "v 0,5 0 0\n").message, comma));
+  CHECK(contains(surface_error("x.stl", "solid\nfacet\nvertex 0,5 0 0\n").message, comma));
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  CHECK(contains(surface_error("x.obj", points + "f 0 1 2\n").message, "from 1 to 3"));
+  CHECK(contains(surface_error("x.obj", points + "f 1 2 9\n").message, "vertex 9"));
+  CHECK(contains(surface_error("x.obj", "f 1 2 3\n" + points).message, "no vertex stands before"));
+  CHECK(contains(surface_error("x.off", "OFF\n3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n").message,
+                 "from 0 to 2"));
+}
+
+TEST_CASE("files without faces are told what they have") {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  CHECK(contains(surface_error("x.obj", points).message, "only points or lines"));
+  CHECK(contains(surface_error("x.obj", points + "f 1 2\n").message, "three corners or more"));
+  CHECK(contains(surface_error("x.obj", points + "cstype bspline\n").message, "free-form"));
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "property float z\n";
+  CHECK(contains(surface_error("x.ply", ply + "end_header\n0 0 0\n").message, "only points"));
+  CHECK(contains(surface_error("x.ply", ply + "element tristrips 0\nproperty list int int "
+                                              "vertex_indices\nend_header\n0 0 0\n")
+                     .message,
+                 "strips of triangles"));
+  CHECK(contains(domain_error("x.svg", "<svg><text>a</text></svg>").message, "text"));
+}
+
+TEST_CASE("lists of points are told how to write them") {
+  for (const char* text : {"0 0\n1 0\n1 1\n", "0,0\n1,0\n", "NACA 0012\n1.0 0.0\n0.5 0.1\n"}) {
+    INFO(text);
+    CHECK(contains(domain_error("x.dat", text).message, "a list of points. Write it as JSON"));
+  }
+  CHECK(
+      contains(domain_error("x.json", R"({"type": "Topology", "arcs": []})").message, "TopoJSON"));
+  const Error quotes = domain_error("x.json", "{'loops': []}");
+  CHECK(quotes.message == "This is not valid JSON: unexpected text.");
 }

@@ -39,8 +39,10 @@ std::optional<DomainFormat> format_by_lines(std::string_view text) {
     if (words.size() == 0) continue;
     std::int64_t value = 0;
     if (!parse_integer(words[0], value)) return std::nullopt;
-    if (words.size() > 1)
-      return parse_integer(words[1], value) ? std::optional(DomainFormat::poly) : std::nullopt;
+    if (words.size() > 1) {  // vertices, dimension
+      const bool is_poly = parse_integer(words[1], value) && (value == 2 || value == 3);
+      return is_poly ? std::optional(DomainFormat::poly) : std::nullopt;
+    }
     constexpr std::int64_t comment = 999;
     if (value == comment) return DomainFormat::dxf;
     words.split(lines.next());

@@ -257,7 +257,9 @@ bool Reader::parse_error(std::size_t, const std::string& token,
   } else if (text_.at_end() && !frames_.empty()) {
     fail(ErrorCode::parse_error, "This is not valid JSON: the text ends within " + path() + ".");
   } else {
-    const std::string where = frames_.empty() ? "" : " at " + path();
+    const bool in_value =
+        !frames_.empty() && (frames_.back().is_array || !frames_.back().key.empty());
+    const std::string where = in_value ? " at " + path() : "";
     fail(ErrorCode::parse_error, "This is not valid JSON: unexpected text" + where + ".");
   }
   return false;

@@ -73,7 +73,9 @@ Result<DomainFile> SvgReader::finish() {
   const NestedFaces nested = nest_faces(drawing_.lines);
   if (nested.planar.faces.empty()) {
     if (!nested.planar.chains.empty()) return open_chain_error(drawing_, nested, tolerance);
-    return Error{ErrorCode::empty, "The drawing has no closed outline.", {}};
+    std::string text = "The drawing has no closed outline";
+    if (found_.left_out.any()) text += ", only " + found_.left_out.text();
+    return Error{ErrorCode::empty, text + ".", {}};
   }
   const auto name = [&](Index f) { return common_name(drawing_, nested.planar.faces[f]); };
   const Index outside = add_regions(drawing_, nested, even_faces(nested), name, file_.domain);

@@ -92,7 +92,7 @@ class OffReader {
       std::int64_t index = 0;
       if (!parse_integer(words_[k], index)) return fail("A face corner must be a vertex number.");
       if (index < 0 || index >= builder_.point_count())
-        return fail("A face names a vertex that is not there.");
+        return fail(unknown_vertex(index, builder_.point_count(), 0).message);
       corners_.push_back(static_cast<Index>(index));
     }
     if (size >= 3) return builder_.add_polygon(corners_);

@@ -144,7 +144,7 @@ class StlTextReader {
       if (parse_number(word_, *x)) continue;
       return is_not_finite_word(word_)
                  ? fail("A vertex has a coordinate that is not finite.", ErrorCode::non_finite)
-                 : fail("A vertex needs three finite numbers: x y z.");
+                 : fail("A vertex needs three finite numbers: x y z." + advice_on_comma(word_));
     }
     corners_.push_back(builder_.point_count());
     builder_.add_point(p);
