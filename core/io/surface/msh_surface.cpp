@@ -26,12 +26,14 @@ Error unknown_node(const MshElement& element, std::int64_t tag) {
 }
 
 void warn_of_passed_over(const MshContent& content, SoupBuilder& builder) {
-  const auto warn = [&](std::int64_t count, const std::string& what) {
-    if (count > 0) builder.warn({ErrorCode::ignored, std::to_string(count) + what, {}});
+  const auto warn = [&](std::int64_t count, const std::string& what, const std::string& rest) {
+    if (count == 0) return;
+    const std::string number = std::to_string(count) + what;
+    builder.warn({ErrorCode::ignored, number + (count == 1 ? " is" : "s are") + rest, {}});
   };
-  warn(content.passed_over.volumes,
-       " volume elements are left out: the surface is the triangles and quads of the file.");
-  warn(content.passed_over.faces, " faces of third order or higher are left out.");
+  warn(content.passed_over.volumes, " volume element",
+       " left out: the surface is the triangles and quads of the file.");
+  warn(content.passed_over.faces, " element", " left out, being faces of third order or higher.");
 }
 
 }  // namespace
