@@ -23,6 +23,8 @@ const char* code_name(ErrorCode code) {
     case ErrorCode::lost_precision: return "LOST_PRECISION";
     case ErrorCode::too_many_elements: return "TOO_MANY_ELEMENTS";
     case ErrorCode::too_large: return "TOO_LARGE";
+    case ErrorCode::ignored: return "IGNORED";
+    case ErrorCode::adapted: return "ADAPTED";
     case ErrorCode::no_valid_mesh: return "NO_VALID_MESH";
     case ErrorCode::out_of_memory: return "OUT_OF_MEMORY";
     case ErrorCode::cancelled: return "CANCELLED";

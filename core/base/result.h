@@ -35,6 +35,8 @@ enum class ErrorCode {
   lost_precision,            // coordinates too coarse (far from the origin) for this mesh size
   too_many_elements,         // refused before allocating
   too_large,                 // a file or count beyond the stated limits
+  ignored,                   // a warning: something given was left out or has no effect
+  adapted,                   // a warning: something given was changed or read as something else
   // not the input's fault
   no_valid_mesh,  // no mesh that passes the final check was found
   out_of_memory,

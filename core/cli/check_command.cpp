@@ -21,14 +21,17 @@ namespace {
 Result<OutputMesh> load_mesh(const std::string& name) {
   const auto format = mesh_format(name);
   if (format != MeshFormat::obj && format != MeshFormat::msh) {
-    return Error{ErrorCode::parse_error, "Only .obj and .msh meshes can be checked.", {}};
+    return Error{ErrorCode::parse_error,
+                 "Only meshes in .obj and .msh files can be checked. Write or convert it as one of "
+                 "these.",
+                 {}};
   }
   const auto text = read_file(name);
   if (!text) return text.error();
   auto in_plane = read_mesh(*text, *format);
   if (in_plane) return in_plane;
   auto in_space = read_mesh(*text, *format, MeshScope::space);
-  return in_space && in_space->in_space() ? in_space : in_plane;
+  return in_space && !in_space->in_space() ? in_plane : in_space;
 }
 
 Result<Domain> load_domain(const std::string& name) {

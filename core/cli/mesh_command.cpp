@@ -8,12 +8,14 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/help.h"
+#include "cli/idle_options.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/surface_command.h"
 #include "cli/surface_input.h"
 #include "io/domain/domain_format.h"
 #include "io/error_text.h"
+#include "io/file_kind.h"
 #include "io/picture/svg.h"
 #include "io/report.h"
 #include "io/stages.h"
@@ -46,6 +48,9 @@ class Run {
     const auto text = read_input(files_.input, args_.surface_options.size);
     if (!text) return fail(text.error(), exit_bad_input);
     const bool is_surface = is_cad_file(files_.input) || is_surface_file(files_.input, *text);
+    const bool is_known =
+        is_surface || domain_format_by_ending(files_.input) || domain_format_by_content(*text);
+    if (!is_known) return fail(unknown_format(files_.input, *text));
     if (const auto wrong = misplaced_option(files_, args_, is_surface)) return fail(*wrong);
     return is_surface ? surface(*text) : domain(*text);
   }
@@ -55,13 +60,17 @@ class Run {
 
  private:
   int domain(const std::string& text) {
-    const auto file = read_domain_file(files_.input, text);
+    auto file = read_domain_file(files_.input, text);
     if (!file) return fail(file.error());
     Trace trace;
     auto outcome = mesh(file->domain, files_.stages.empty() ? nullptr : &trace);
     if (!outcome) return fail(outcome.error());
-    std::vector<Warning>& warnings = outcome->report.warnings;  // the file's come first
-    warnings.insert(warnings.begin(), file->warnings.begin(), file->warnings.end());
+    // The file's come first, then those of the command line.
+    std::vector<Warning> warnings = std::move(file->warnings);
+    for (const std::vector<Warning>& more :
+         {idle_options(files_, args_, !file->domain.seeds.empty()), outcome->report.warnings})
+      warnings.insert(warnings.end(), more.begin(), more.end());
+    outcome->report.warnings = std::move(warnings);
     Writer writer;
     write_results(writer, *outcome, trace);
     if (writer.failure()) return fail(*writer.failure());

@@ -2,6 +2,7 @@
 #include "cli/surface_command.h"
 
 #include "cli/files.h"
+#include "cli/idle_options.h"
 #include "io/atlas.h"
 #include "io/surface/surface_format.h"
 #include "io/surface_report.h"
@@ -49,9 +50,10 @@ Result<std::string> mesh_surface_file(const RunFiles& files, const MeshArgs& arg
                                       const std::string& bytes, Monitor monitor) {
   auto soup = read_surface_file(files.input, bytes);
   if (!soup) return soup.error();
-  const auto outcome =
-      mesh_surface(std::move(*soup), args.surface_options, monitor, args.files.threads);
+  auto outcome = mesh_surface(std::move(*soup), args.surface_options, monitor, args.files.threads);
   if (!outcome) return outcome.error();
+  for (Warning& idle : idle_surface_options(files, args))
+    outcome->report.warnings.push_back(std::move(idle));
   if (!files.output.empty()) {
     const auto written = write_file(
         files.output, write_mesh(shell_output(*outcome), files.format, args.files.write));

@@ -190,7 +190,8 @@ OutlineBuilder::Problem OutlineBuilder::fit() {
       return Error{ErrorCode::lost_precision,
                    "The point " + point_text(world) +
                        " cannot be held exactly beside the others: the coordinates differ too much "
-                       "in magnitude. Bring them to a common scale; write 0 for values that are "
+                       "in magnitude, or are at the end of what doubles hold. Bring them to a "
+                       "common scale near 1; write 0 for values that are "
                        "zero but for rounding.",
                    at_point({}, world)};
     outline_.points.push_back(p);

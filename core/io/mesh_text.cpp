@@ -13,12 +13,14 @@ namespace lpq {
 LineReader::LineReader(std::string_view text) : text_(text) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text_.substr(0, 3) == byte_order_mark) next_ = start_ = 3;
+  // Where no line ends with LF, as in files of old Macs, they end with CR.
+  if (text_.find('\n') == std::string_view::npos) line_end_ = '\r';
 }
 
 std::string_view LineReader::next() {
   start_ = next_;
   ++line_;
-  const std::size_t end = text_.find('\n', start_);
+  const std::size_t end = text_.find(line_end_, start_);
   next_ = end == std::string_view::npos ? text_.size() : end + 1;
   std::string_view line =
       text_.substr(start_, (end == std::string_view::npos ? next_ : end) - start_);

@@ -13,7 +13,7 @@ namespace lpq {
 /// What a reader takes: meshes with z = 0, or of any height.
 enum class MeshScope { plane, space };
 
-/// Lines of a text, without their line ends (LF or CRLF) and a leading byte order mark.
+/// Lines of a text, without their line ends (LF, CRLF or CR) and a leading byte order mark.
 class LineReader {
  public:
   explicit LineReader(std::string_view text);
@@ -31,6 +31,7 @@ class LineReader {
   std::string_view text_;
   std::size_t start_ = 0, next_ = 0;
   std::int64_t line_ = 0;
+  char line_end_ = '\n';
 };
 
 /// The words of a line, separated by blanks; a word that starts with '#' ends it.

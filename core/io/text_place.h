@@ -16,18 +16,28 @@ inline Error error_at(std::string_view text, std::size_t byte, std::string messa
   byte = std::min(byte, text.size());
   Error error{code, std::move(message), {}};
   error.where.byte = static_cast<std::int64_t>(byte);
+  // Where no line ends with LF, as in files of old Macs, they end with CR.
+  const char end = text.find('\n') == std::string_view::npos ? '\r' : '\n';
   error.where.line =
-      1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(byte), '\n');
+      1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(byte), end);
   return error;
 }
 
-/// The refusal of text that has two bytes a character, as some editors on Windows save it: told by
-/// its byte order mark, or by a first character that is half a zero.
+/// The refusal of text that has two bytes a character, as some editors on Windows save it (or
+/// four): told by its byte order mark, or by first characters that are half a zero.
 inline std::optional<Error> refuse_utf16(std::string_view text) {
+  constexpr std::size_t looked_at = 8;
   const std::string_view start = text.substr(0, 2);
-  const bool has_mark = start == "\xFF\xFE" || start == "\xFE\xFF";
-  const bool half_zero = start.size() == 2 && (start[0] == 0) != (start[1] == 0);
-  if (!has_mark && !half_zero) return std::nullopt;
+  if (start == "\xFF\xFE" || start == "\xFE\xFF") {
+    const bool four = text.substr(2, 2) == std::string_view("\0\0", 2);
+    return error_at(text, 0,
+                    four ? "This file is UTF-32 text; save it as UTF-8."
+                         : "This file is UTF-16 text; save it as UTF-8.");
+  }
+  bool halves = text.size() >= 2 && text[0] != text[1];
+  for (std::size_t i = 0; halves && i + 1 < std::min(text.size(), looked_at); i += 2)
+    halves = (text[i] == 0) != (text[i + 1] == 0) && (text[i] == 0) == (text[0] == 0);
+  if (!halves) return std::nullopt;
   return error_at(text, 0, "This file is UTF-16 text; save it as UTF-8.");
 }
 

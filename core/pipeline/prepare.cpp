@@ -56,6 +56,21 @@ double target_size(const Domain& domain, const Options& options) {
   return std::sqrt(domain.area / default_quads);
 }
 
+/// Squares of lengths, of which the final check of a mesh is made, must be within what doubles
+/// hold.
+std::optional<Error> judge_scale(const Domain& domain, double size) {
+  constexpr double least = 1e-153, greatest = 1e153;
+  const double across = domain.frame.length_to_world(diagonal(domain));
+  const double finest = size > 0 ? domain.frame.length_to_world(size) : across;
+  if (finest >= least && across <= greatest) return std::nullopt;
+  return Error{
+      ErrorCode::lost_precision,
+      "The domain is " + short_number(across) +
+          " across: doubles cannot hold areas of that scale. Scale it, so that lengths are "
+          "nearer to 1.",
+      {}};
+}
+
 Result<double> judge_size(const Domain& domain, const Options& options) {
   const double size = target_size(domain, options);
   if (size > diagonal(domain))
@@ -63,6 +78,10 @@ Result<double> judge_size(const Domain& domain, const Options& options) {
                       " is larger than the whole domain (diagonal " +
                       short_number(domain.frame.length_to_world(diagonal(domain))) +
                       "). Check the unit of length.");
+  const double estimate = size > 0 ? domain.area / (size * size) : 0;
+  if (estimate > options.max_elements)
+    return too_many_elements(estimate, options.max_elements);
+  if (const auto beyond = judge_scale(domain, size)) return *beyond;
   if (size > 0 && size < least_steps * coordinate_step(domain))
     return Error{
         ErrorCode::lost_precision,
@@ -70,8 +89,6 @@ Result<double> judge_size(const Domain& domain, const Options& options) {
             short_number(domain.frame.length_to_world(size)) +
             ". Move the domain closer to the origin, or use a larger size.",
         {}};
-  const double estimate = size > 0 ? domain.area / (size * size) : 0;
-  if (estimate > options.max_elements) return too_many_elements(estimate, options.max_elements);
   return size;
 }
 

@@ -15,6 +15,13 @@ constexpr const char* no_plane = "The triangles there cannot be laid out flat.";
 
 }  // namespace
 
+std::string chart_words(const Error& error) {
+  if (error.where.loop != none)
+    return "Laid out flat, its border meets itself. Try a smaller size.";
+  if (error.where.has_point) return "Laid out flat, it gets no convex quads. Try a smaller size.";
+  return error.message;
+}
+
 ChartsMesher::ChartsMesher(const Charted& charted, const Options& options, PlaneMeshes& made)
     : charted_(charted),
       options_(options),
@@ -121,7 +128,7 @@ bool ChartsMesher::mesh_planes(int threads, FunctionRef<bool(Index)> keep_going)
 }
 
 void ChartsMesher::note(const Error& error) {
-  result_.failures.push_back({chart_, error, {}});
+  result_.failures.push_back({chart_, {error.code, chart_words(error), error.where}, {}});
   Index hint = none;
   if (error.where.has_point)
     result_.failures.back().place =

@@ -42,6 +42,10 @@ struct ChartFailure {
   SurfacePlace place;  // where, if that is known
 };
 
+/// The sentence of a planar error where it is about a chart: the loops, edges and vertices of the
+/// plane are nobody's but ours.
+std::string chart_words(const Error& error);
+
 /// Charts in their planes, by a fingerprint of all that went into them: when sizes change in one
 /// place, the other charts need not be meshed again.
 using PlaneMeshes = std::map<std::uint64_t, Result<OutputMesh>>;

@@ -28,7 +28,7 @@ std::vector<Warning> repair_warnings(const RepairReport& report) {
        "triangles without height", "taken away.");
   warn(ErrorCode::zero_area, report.flat_left, "triangle without height",
        "triangles without height", "left as found.");
-  warn(ErrorCode::parse_error, report.turned_triangles, "triangle", "triangles",
+  warn(ErrorCode::adapted, report.turned_triangles, "triangle", "triangles",
        "turned over, so that neighbours face the same way.");
   warn(ErrorCode::touching, report.nonmanifold_edges, "edge", "edges",
        "kept as a line where three or more triangles meet.");

@@ -148,7 +148,7 @@ TEST_CASE("exit codes and sentences") {
   CHECK(contains(broken.err, "error PARSE_ERROR: "));
   CHECK(contains(broken.err, "the text ends within loops[0]. (line 1 byte 10)\n"));
   const auto nothing = run({"mesh", folder.write("empty.json", ""), "-o", folder / "x.obj"});
-  CHECK(contains(nothing.err, "the text is empty. (line 1"));
+  CHECK(contains(nothing.err, "error EMPTY: The file is empty."));
   const auto too_many = run({"mesh", square, "-o", folder / "x.obj", "--size", "1e-6"});
   CHECK(contains(too_many.err, "raise --max-elements."));
   // But what was typed is repeated as it was.

@@ -315,7 +315,9 @@ TEST_CASE("MSH: groups from physical and elementary surfaces") {
       good(read_msh_surface(head + "1 4 2 0 1 1 2 3 4\n2 9 2 0 3 1 2 3 4 5 6\n$EndElements\n"));
   CHECK(curved.triangles.size() == 1);
   CHECK(curved.group_names == std::vector<std::string>{"surface 3"});
-  CHECK(curved.warnings.size() == 1);
+  REQUIRE(curved.warnings.size() == 2);  // of the volume, of the second order
+  CHECK(curved.warnings[0].code == ErrorCode::ignored);
+  CHECK(curved.warnings[1].code == ErrorCode::adapted);
   CHECK(bad(read_msh_surface(head + "1 15 2 0 1 1\n2 15 2 0 1 2\n$EndElements\n")).code ==
         ErrorCode::empty);
   CHECK(bad(read_msh_surface(head + "1 15 2 0 1 1\n2 2 2 0 1 2 3 9\n$EndElements\n")).where.line ==

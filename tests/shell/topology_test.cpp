@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "catch.h"
+#include "shell/mesh_charts.h"
 #include "support/surface_meshes.h"
 #include "support/surface_shapes.h"
 #include "surface/repair.h"
@@ -106,4 +107,19 @@ TEST_CASE("violations are listed up to a limit") {
   const std::vector<Face> again = grid.faces;
   grid.faces.insert(grid.faces.end(), again.begin(), again.end());
   CHECK(validate_faces(grid.points, grid.faces, 3).size() == 3);
+}
+
+TEST_CASE("errors of charts speak of the surface, not of loops in the plane") {
+  Error crossing{ErrorCode::self_intersection, "Edge 3 of loop 0 crosses edge 7 of loop 0.", {}};
+  crossing.where.loop = 0;
+  Error bent{ErrorCode::no_valid_mesh, "Face 0 is not strictly convex at vertex 287.", {}};
+  bent.where.has_point = true;
+  for (const Error& error : {crossing, bent}) {
+    const std::string words = chart_words(error);
+    for (const char* plane : {"loop", "vertex", "boundary", "0"})
+      CHECK(words.find(plane) == std::string::npos);
+    CHECK(words.find("smaller size") != std::string::npos);
+  }
+  const Error plain{ErrorCode::too_many_elements, "About 5 elements would be needed.", {}};
+  CHECK(chart_words(plain) == plain.message);
 }

@@ -241,6 +241,8 @@ export type ErrorCode =
   | 'LOST_PRECISION'
   | 'TOO_MANY_ELEMENTS'
   | 'TOO_LARGE'
+  | 'IGNORED'
+  | 'ADAPTED'
   | 'NO_VALID_MESH'
   | 'OUT_OF_MEMORY'
   | 'CANCELLED'

@@ -19,7 +19,6 @@ import { edgeLengths, median } from './model/geometry.js';
 
 const mostBytes = 64 * 2 ** 20, mostPoints = 200000, patience = 20000, longestName = 200;
 const endings = ['.json', '.geojson', '.svg', '.poly', '.msh', '.dxf'];
-const surfaces = ' A surface in space: .stl, .obj, .ply, .off, .msh, .step, .iges or .brep.';
 const hasEnding = (/** @type {string} */ name) => endings.some((ending) => name.toLowerCase().endsWith(ending));
 
 /** A mesh size for a domain that brings none: the spacing of its points within reason. @param {Drawing} drawing */
@@ -82,8 +81,7 @@ export function installOpening(app, show) {
     const { code: given, message, where = {} } = /** @type {any} */ (thrown);
     const code = typeof given === 'string' ? given : 'IO_ERROR';  // errors of the browser have numbers
     const line = where.line === undefined ? '' : ` (line ${where.line})`;
-    const unknown = code === 'PARSE_ERROR' && name.includes('.') && !hasEnding(name);
-    show({ title: refusalOf(code), details: `${name}: ${message}${line}${unknown ? surfaces : ''}`, refused: true });
+    show({ title: refusalOf(code), details: `${name}: ${message}${line}`, refused: true });
   }
 
   /** @param {() => Promise<string | Uint8Array>} source  @param {string} name  @param {string} [title]  of the drawing */

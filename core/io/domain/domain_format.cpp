@@ -9,8 +9,10 @@
 #include "io/domain/msh_domain.h"
 #include "io/domain/poly_domain.h"
 #include "io/domain/svg_domain.h"
+#include "io/file_kind.h"
 #include "io/mesh_text.h"
 #include "io/number.h"
+#include "io/surface/surface_format.h"
 #include "io/text_place.h"
 
 namespace lpq {
@@ -37,8 +39,10 @@ std::optional<DomainFormat> format_by_lines(std::string_view text) {
     if (words.size() == 0) continue;
     std::int64_t value = 0;
     if (!parse_integer(words[0], value)) return std::nullopt;
-    if (words.size() > 1)
-      return parse_integer(words[1], value) ? std::optional(DomainFormat::poly) : std::nullopt;
+    if (words.size() > 1) {  // vertices, dimension
+      const bool is_poly = parse_integer(words[1], value) && (value == 2 || value == 3);
+      return is_poly ? std::optional(DomainFormat::poly) : std::nullopt;
+    }
     constexpr std::int64_t comment = 999;
     if (value == comment) return DomainFormat::dxf;
     words.split(lines.next());
@@ -73,8 +77,9 @@ std::optional<DomainFormat> domain_format_by_content(std::string_view text) {
   return format_by_lines(text);
 }
 
-Result<DomainFile> read_domain(std::string_view text, DomainFormat format) {
-  if (auto wide = refuse_utf16(text)) return *std::move(wide);
+namespace {
+
+Result<DomainFile> read_as(std::string_view text, DomainFormat format) {
   switch (format) {
     case DomainFormat::json: return read_json_domain(text);
     case DomainFormat::geojson: return read_geojson_domain(text);
@@ -86,23 +91,25 @@ Result<DomainFile> read_domain(std::string_view text, DomainFormat format) {
   return Error{};
 }
 
+}  // namespace
+
+Result<DomainFile> read_domain(std::string_view text, DomainFormat format) {
+  if (auto wide = refuse_utf16(text)) return *std::move(wide);
+  auto file = read_as(text, format);
+  if (file) return file;
+  return error_of_kind(file.error(), text, domain_formats[static_cast<std::size_t>(format)].name);
+}
+
 Result<DomainFile> read_domain_file(std::string_view file_name, std::string_view text) {
   if (auto wide = refuse_utf16(text)) return *std::move(wide);
-  if (same_letters(ending_of(file_name), "geo"))
-    return Error{ErrorCode::parse_error,
-                 "Gmsh's .geo scripts cannot be read. Mesh the curves with Gmsh (gmsh -1) and give "
-                 "the .msh file.",
-                 {}};
   auto format = domain_format_by_ending(file_name);
-  if (!format || format == DomainFormat::json) {
+  const bool is_other = surface_format_by_ending(file_name) || kind_by_ending(file_name);
+  if ((!format && !is_other) || format == DomainFormat::json) {
     const auto found = domain_format_by_content(text);
     if (!format || found == DomainFormat::geojson) format = found;
   }
   if (format) return read_domain(text, *format);
-  return Error{
-      ErrorCode::parse_error,
-      "The format of the domain is not known. Name the file " + std::string(domain_endings) + ".",
-      {}};
+  return unknown_format(file_name, text);
 }
 
 }  // namespace lpq

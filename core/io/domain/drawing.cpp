@@ -141,7 +141,11 @@ double drawing_size(const LineWork& lines) {
 Result<int> join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
                          std::vector<Warning>& warnings) {
   if (is_too_many(drawing.lines, bytes))
-    return Error{ErrorCode::too_large, "The curves of this drawing have too many corners.", {}};
+    return Error{
+        ErrorCode::too_large,
+        "The curves of this drawing have more than a million corners, and more than the file has "
+        "bytes. Draw them with fewer points, or simpler.",
+        {}};
   for (const LineWork::Edge& edge : drawing.lines.edges) {
     if (is_finite(drawing.lines.points[edge.a]) && is_finite(drawing.lines.points[edge.b]))
       continue;

@@ -48,9 +48,11 @@ class DxfReader {
     const auto on_paper = pieces.end() - model;
     if (on_paper == 0) return;
     const bool all = model == pieces.begin();
-    warn(true, (all ? "All curves are in paper space, and were taken from there: "
-                    : "Curves in paper space were left out: ") +
-                   std::to_string(on_paper) + ".");
+    warn(true,
+         (all ? "All curves are in paper space, and were taken from there: "
+              : "Curves in paper space were left out: ") +
+             std::to_string(on_paper) + ".",
+         all ? ErrorCode::adapted : ErrorCode::ignored);
     if (!all) pieces.erase(model, pieces.end());
   }
 
@@ -77,8 +79,8 @@ class DxfReader {
     }
   }
 
-  void warn(bool applies, const std::string& message) {
-    if (applies) file_.warnings.push_back({ErrorCode::parse_error, message, {}});
+  void warn(bool applies, const std::string& message, ErrorCode code = ErrorCode::ignored) {
+    if (applies) file_.warnings.push_back({code, message, {}});
   }
 
   void warn_of_entities() {
@@ -91,7 +93,8 @@ class DxfReader {
                                  std::to_string(found_.heights) + ".");
     warn(found_.interpolated > 0,
          "Splines given by fit points alone, drawn as natural cubic splines: " +
-             std::to_string(found_.interpolated) + ".");
+             std::to_string(found_.interpolated) + ".",
+         ErrorCode::adapted);
   }
 
   Error no_outline() const {

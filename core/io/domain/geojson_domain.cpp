@@ -29,6 +29,7 @@ struct Coordinates {
 
 struct Object {
   std::string type, name, tag;
+  bool has_eta = false;  // among its properties, as faces of a mesh have it
   bool has_coordinates = false;
   Coordinates coordinates;
   std::size_t first_region = 0, first_polyline = 0, first_point = 0;  // what lies in it
@@ -42,8 +43,9 @@ class Reader final : public JsonText::Sax {
     const bool complete = text_.parse(*this);
     if (!complete) fail(ErrorCode::parse_error, "This is not valid JSON.");
     if (failed_) return error_;
+    if (mesh_faces_ > 0 && mesh_faces_ == file_.domain.regions.size()) return error_of_mesh();
     if (open_rings_ > 0)
-      file_.warnings.push_back({ErrorCode::parse_error,
+      file_.warnings.push_back({ErrorCode::adapted,
                                 "Rings whose last position is not the first one were closed: " +
                                     std::to_string(open_rings_) + ".",
                                 {}});
@@ -97,6 +99,14 @@ class Reader final : public JsonText::Sax {
   bool open(Role role, bool is_array);
   bool other_value();
   bool number(double value);
+  /// Of what write_geojson() makes: faces, each with its eta.
+  static Error error_of_mesh() {
+    return {
+        ErrorCode::parse_error,
+        "These are the faces of a mesh as lpquad writes it, not outlines. Give the domain it was "
+        "made from, or the mesh as .msh, of which the outline is read.",
+        {}};
+  }
   bool end_of_coordinates(const Frame& frame);
   bool end_of_object(Object object);
   bool add_geometry(std::size_t kind, Object& object);
@@ -108,6 +118,7 @@ class Reader final : public JsonText::Sax {
   std::vector<Object> objects_;  // those being read, one within the other
   double xy_[2] = {0, 0};
   Index open_rings_ = 0;
+  std::size_t mesh_faces_ = 0;
   DomainFile file_;
   bool failed_ = false;
   Error error_;
@@ -169,6 +180,7 @@ bool Reader::other_value() {
 bool Reader::number(double value) {
   if (frames_.empty()) return other_value();
   Frame& frame = frames_.back();
+  if (frame.role == Role::properties && frame.key == "eta") objects_.back().has_eta = true;
   if (frame.role != Role::coordinates) return true;
   if (frame.height >= 0) return fail("Numbers and arrays are mixed in coordinates.");
   if (frame.numbers < 2) xy_[frame.numbers] = value;  // more are heights
@@ -237,6 +249,7 @@ bool Reader::end_of_object(Object object) {
     return fail(object.type.substr(0, 40).append(" is not a type of GeoJSON."));
   if (kind < geometry_kinds && !add_geometry(kind, object)) return false;
   if (object.type == "Feature") name_parts(object);
+  if (object.has_eta) mesh_faces_ += file_.domain.regions.size() - object.first_region;
   return true;
 }
 

@@ -151,7 +151,8 @@ bool Reader::open(Kind kind) {
   const Role role = next_role();
   if (!begin_value(kind, kind == Kind::object ? "an object" : "an array")) return false;
   if (frames_.size() >= json_max_depth) {
-    fail(ErrorCode::parse_error, path() + " is nested too deeply.");
+    fail(ErrorCode::parse_error, path().substr(0, 80) + ".. is nested more than " +
+                                     std::to_string(json_max_depth) + " deep.");
     return false;
   }
   create(role);
@@ -256,7 +257,9 @@ bool Reader::parse_error(std::size_t, const std::string& token,
   } else if (text_.at_end() && !frames_.empty()) {
     fail(ErrorCode::parse_error, "This is not valid JSON: the text ends within " + path() + ".");
   } else {
-    const std::string where = frames_.empty() ? "" : " at " + path();
+    const bool in_value =
+        !frames_.empty() && (frames_.back().is_array || !frames_.back().key.empty());
+    const std::string where = in_value ? " at " + path() : "";
     fail(ErrorCode::parse_error, "This is not valid JSON: unexpected text" + where + ".");
   }
   return false;

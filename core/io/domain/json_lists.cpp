@@ -28,7 +28,7 @@ std::optional<Error> judge_tags(const DomainInput::Region& region, Where where,
                    counts_of(l, edges, "but ", tags) + "give one tag per edge.", where};
     if (tags > 0 && tags < edges && warnings.size() < most_warnings)
       warnings.push_back(
-          {ErrorCode::parse_error,
+          {ErrorCode::adapted,
            counts_of(l, edges, "but only ", tags) + "the edges after these have none.", where});
   }
   return std::nullopt;

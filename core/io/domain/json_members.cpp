@@ -32,7 +32,7 @@ void Members::close() {
   for (const Slip& slip : objects_.back().slips) {
     const std::uint32_t bit = bit_of(child_role(objects_.back().role, slip.known));
     if ((objects_.back().seen & bit) != 0 || warnings_.size() >= most_warnings) continue;
-    warnings_.push_back({ErrorCode::parse_error,
+    warnings_.push_back({ErrorCode::ignored,
                          "The key \"" + slip.key +
                              "\" is not known and was ignored; did you mean \"" + slip.known +
                              "\"?",

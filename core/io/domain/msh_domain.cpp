@@ -124,7 +124,7 @@ Result<DomainFile> MshDomain::finish() {
     return Error{ErrorCode::empty, "The file has no lines that enclose anything and no faces.", {}};
   if (outside > 0)
     file_.warnings.push_back(
-        {ErrorCode::parse_error,
+        {ErrorCode::ignored,
          "Lines outside all faces were left out: " + std::to_string(outside) + ".",
          {}});
   add_points(nested, filled);
@@ -150,7 +150,7 @@ void MshDomain::add_points(const NestedFaces& nested, const std::vector<char>& f
     }
   }
   if (left_out > 0)
-    file_.warnings.push_back({ErrorCode::parse_error,
+    file_.warnings.push_back({ErrorCode::ignored,
                               "Names of points that are not strictly inside were left out: " +
                                   std::to_string(left_out) + ".",
                               {}});

@@ -91,6 +91,7 @@ class PolyReader {
   std::vector<char> in_segment_;  // the vertex is an end of one
   std::vector<Vec2> holes_, region_points_;
   std::vector<std::string> region_names_;
+  Index area_limits_ = 0;
   Drawing drawing_;
   DomainFile file_;
   bool failed_ = false;
@@ -156,6 +157,7 @@ void PolyReader::read_regions() {
   for (std::int64_t i = 0; i < regions && !failed_; ++i) {
     if (!next_record(4, "a region (number, x, y, attribute)")) return;
     region_points_.push_back({number(1), number(2)});
+    area_limits_ += words_.size() > 4 && number(4) > 0 ? 1 : 0;
     std::string name = "region ";
     append_number(name, number(3));
     region_names_.push_back(std::move(name));
@@ -212,10 +214,15 @@ Result<DomainFile> PolyReader::finish() {
     }
   }
   if (outside > 0 || points_outside > 0)
-    file_.warnings.push_back({ErrorCode::parse_error,
+    file_.warnings.push_back({ErrorCode::ignored,
                               "Outside all regions, and left out: segments " +
                                   std::to_string(outside) + ", vertices " +
                                   std::to_string(points_outside) + ".",
+                              {}});
+  if (area_limits_ > 0)
+    file_.warnings.push_back({ErrorCode::ignored,
+                              "Area limits of regions were ignored: " +
+                                  std::to_string(area_limits_) + ". Give the option size instead.",
                               {}});
   return std::move(file_);
 }

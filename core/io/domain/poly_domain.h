@@ -3,7 +3,7 @@
 // material unless a hole point lies in it; segments that divide it make neighbouring regions,
 // other segments inside become polylines, vertices without segments points. A marker m other than 0
 // becomes the tag "marker m"; the attribute a of a region becomes the name "region a" of the face
-// its point lies in. Attributes of vertices and area limits are ignored.
+// its point lies in. Attributes of vertices are ignored, area limits with a warning.
 // Unlike Triangle with -c, the convex hull is not taken: the outline must consist of segments.
 #pragma once
 

@@ -21,7 +21,7 @@ class SvgReader {
 
  private:
   void flatten();
-  void warn(bool applies, std::string message);
+  void warn(bool applies, std::string message, ErrorCode code = ErrorCode::ignored);
   void warn_of_elements();
   Result<DomainFile> finish();
 
@@ -51,13 +51,14 @@ void SvgReader::flatten() {
   }
 }
 
-void SvgReader::warn(bool applies, std::string message) {
-  if (applies) file_.warnings.push_back({ErrorCode::parse_error, std::move(message), {}});
+void SvgReader::warn(bool applies, std::string message, ErrorCode code) {
+  if (applies) file_.warnings.push_back({code, std::move(message), {}});
 }
 
 void SvgReader::warn_of_elements() {
   warn(closed_by_fill_ > 0,
-       "Open paths were closed, as their fill is: " + std::to_string(closed_by_fill_) + ".");
+       "Open paths were closed, as their fill is: " + std::to_string(closed_by_fill_) + ".",
+       ErrorCode::adapted);
   warn(found_.left_out.any(), "Left out: " + found_.left_out.text() + ".");
   warn(found_.unread_rules > 0,
        "Style rules for more than a name, a class or an id were left out: " +
@@ -72,7 +73,9 @@ Result<DomainFile> SvgReader::finish() {
   const NestedFaces nested = nest_faces(drawing_.lines);
   if (nested.planar.faces.empty()) {
     if (!nested.planar.chains.empty()) return open_chain_error(drawing_, nested, tolerance);
-    return Error{ErrorCode::empty, "The drawing has no closed outline.", {}};
+    std::string text = "The drawing has no closed outline";
+    if (found_.left_out.any()) text += ", only " + found_.left_out.text();
+    return Error{ErrorCode::empty, text + ".", {}};
   }
   const auto name = [&](Index f) { return common_name(drawing_, nested.planar.faces[f]); };
   const Index outside = add_regions(drawing_, nested, even_faces(nested), name, file_.domain);

@@ -103,7 +103,9 @@ bool SvgWalker::step() {
   if (!copies_.empty() && !error_) {
     copied_ += xml_.position() - before;
     if (copied_ > std::max(most_copied_bytes, text_.size()))
-      fail("The <use> elements of this drawing, all copies together, draw too much.",
+      fail("The <use> elements of this drawing draw more than " +
+               std::to_string(std::max(most_copied_bytes, text_.size()) / 1000000) +
+               " MB, all copies together. Draw fewer copies.",
            ErrorCode::too_large);
   }
   return !error_ && event != XmlReader::Event::end;

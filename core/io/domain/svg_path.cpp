@@ -284,7 +284,8 @@ MaybeProblem read_length(std::string_view text, double& value) {
       return {};
     }
   }
-  return AttributeProblem{scan.at(), "A length is a number, alone or with px, mm, cm, in, pt, pc."};
+  return AttributeProblem{
+      scan.at(), "A length is a number, alone or with px, mm, cm, in, pt, pc; no percentage."};
 }
 
 void append_elliptical_arc(CurvePath& path, Vec2 radii, double rotation_degrees, bool large,

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "io/file_kind.h"
 #include "io/mesh/bdf.h"
 #include "io/mesh/geojson.h"
 #include "io/mesh/mesh_json.h"
@@ -109,9 +110,12 @@ std::string write_mesh(const OutputMesh& mesh, MeshFormat format, const MeshWrit
 
 Result<OutputMesh> read_mesh(std::string_view text, MeshFormat format, MeshScope scope) {
   if (auto wide = refuse_utf16(text)) return *std::move(wide);
-  if (format == MeshFormat::obj) return read_obj(text, scope);
-  if (format == MeshFormat::msh) return read_msh(text, scope);
-  return Error{ErrorCode::parse_error, "Only .obj and .msh meshes can be read back.", {}};
+  if (format != MeshFormat::obj && format != MeshFormat::msh)
+    return Error{ErrorCode::parse_error, "Only .obj and .msh meshes can be read back.", {}};
+  const bool is_obj = format == MeshFormat::obj;
+  auto mesh = is_obj ? read_obj(text, scope) : read_msh(text, scope);
+  if (mesh) return mesh;
+  return error_of_kind(mesh.error(), text, is_obj ? "obj" : "msh");
 }
 
 }  // namespace lpq

@@ -2,49 +2,60 @@
 #include "io/mesh/msh_parse.h"
 
 #include <cstdlib>
+#include <utility>
 
+#include "io/mesh/msh_types.h"
 #include "io/mesh_text.h"
 #include "io/number.h"
 
 namespace lpq {
 namespace {
 
-constexpr std::int64_t type_line = 1, type_triangle = 2, type_quad = 3, type_point = 15;
-constexpr std::int64_t type_triangle_6 = 9, type_quad_9 = 10, type_quad_8 = 16;
-
-/// Corners of the element kinds that are read, 0 for others. Gmsh lists corners first.
-int corners_of(std::int64_t type, MeshScope scope) {
-  switch (type) {
-    case type_point: return 1;
-    case type_line: return 2;
-    case type_triangle: return 3;
-    case type_quad: return 4;
-    case type_triangle_6: return scope == MeshScope::space ? 3 : 0;
-    case type_quad_8:
-    case type_quad_9: return scope == MeshScope::space ? 4 : 0;
-    default: return 0;
-  }
-}
-
 class MshParser {
  public:
   MshParser(std::string_view text, MeshScope scope) : lines_(text), scope_(scope) {}
 
   Result<MshContent> parse() {
+    if (!read()) return error_;
+    return std::move(content_);
+  }
+
+  bool is_in_space() {
+    const bool complete = read();
+    if (content_.passed_over.volumes > 0) return true;
+    bool has_faces = false;
+    for (const MshElement& element : content_.elements) {
+      if (element.size < 3) continue;
+      has_faces = true;
+      for (int k = 0; complete && k < element.size; ++k) {
+        const Index node = content_.node_index(element.nodes[static_cast<std::size_t>(k)]);
+        if (node != none && content_.nodes[static_cast<std::size_t>(node)].point.z != 0)
+          return true;
+      }
+    }
+    return !(complete && has_faces) &&
+           std::any_of(content_.nodes.begin(), content_.nodes.end(),
+                       [](const MshNode& node) { return node.point.z != 0; });
+  }
+
+ private:
+  bool read() {
     while (!lines_.at_end() && !failed_) {
       words_.split(lines_.next());
       if (words_.size() > 0) read_section(words_[0]);
     }
     if (!failed_ && version_ == 0) fail("'$MeshFormat' was expected.");
     if (!failed_) sort_nodes();
-    if (failed_) return error_;
-    return std::move(content_);
+    return !failed_;
   }
 
- private:
+  /// In the last line of a file that ends within a section, what is wrong is the end.
   void fail(std::string message) {
     if (failed_) return;
     failed_ = true;
+    if (!section_.empty() && lines_.at_end())
+      message +=
+          " It is the last line, and '$End" + section_ + "' does not follow: the file was cut off.";
     error_ = lines_.error(std::move(message));
   }
 
@@ -52,6 +63,7 @@ class MshParser {
     if (name[0] != '$' || name.substr(0, 4) == "$End")
       return fail("A section '$...' was expected.");
     const std::string section(name);
+    section_ = section.substr(1);
     if (version_ == 0 && section != "$MeshFormat") return fail("'$MeshFormat' must come first.");
     if (section == "$MeshFormat") {
       read_format();
@@ -64,28 +76,33 @@ class MshParser {
     } else if (section == "$Elements") {
       version_ == 4 ? read_blocks(&MshParser::read_element_block) : read_elements_2();
     } else {
-      return skip_to_end(section);
+      return skip_to_end();
     }
     if (failed_) return;
     words_.split(next_line());
-    if (words_.size() != 1 || words_[0] != "$End" + section.substr(1)) {
-      fail("'$End" + section.substr(1) + "' was expected.");
-    }
+    const bool ended = words_.size() == 1 && words_[0] == "$End" + section_;
+    const std::string expected = "'$End" + section_ + "' was expected.";
+    section_.clear();
+    if (!ended) fail(expected);
   }
 
   std::string_view next_line() {
     if (lines_.at_end()) {
-      fail("The file ends inside a section.");
+      const std::string section = std::exchange(section_, {});
+      fail("The file ends inside its section $" + section + ", before '$End" + section +
+           "': it was cut off.");
       return {};
     }
     return lines_.next();
   }
 
-  void skip_to_end(const std::string& section) {
-    const std::string end = "$End" + section.substr(1);
+  void skip_to_end() {
+    const std::string end = "$End" + section_;
     while (!failed_) {
       words_.split(next_line());
-      if (words_.size() == 1 && words_[0] == end) return;
+      if (words_.size() != 1 || words_[0] != end) continue;
+      section_.clear();
+      return;
     }
   }
 
@@ -111,7 +128,7 @@ class MshParser {
       return fail("A node needs three finite coordinates.");
     }
     if (p.z != 0 && scope_ == MeshScope::plane)
-      fail("A node has z different from 0; only plane meshes can be read.");
+      fail("A node has z other than 0, but the mesh is read as one in the plane z = 0.");
   }
 
   void read_format() {
@@ -120,7 +137,8 @@ class MshParser {
     if (words_.size() < 3 || !parse_number(words_[0], version)) {
       return fail("'$MeshFormat' needs version, file type and data size.");
     }
-    if (words_[1] != "0") return fail("Binary .msh files cannot be read; save it as ASCII.");
+    if (words_[1] != "0")
+      return fail("Binary .msh files cannot be read; save it as ASCII (in Gmsh: Mesh.Binary = 0).");
     if (version == 4.1) {
       version_ = 4;
     } else if (version >= 2 && version < 3) {
@@ -234,12 +252,9 @@ class MshParser {
   /// An element whose node tags start at integers_[at].
   void add_element(std::int64_t type, std::size_t at, std::int64_t physical, std::int64_t entity) {
     MshElement element;
-    element.size = corners_of(type, scope_);
-    if (element.size == 0 && scope_ == MeshScope::space) return;
-    if (element.size == 0) {
-      return fail("Element type " + std::to_string(type) +
-                  " is not a point, line, triangle or quad of first order.");
-    }
+    element.size = msh_corners(type, scope_);
+    if (element.size == 0 && scope_ == MeshScope::space) return pass_over(type);
+    if (element.size == 0) return refuse_type(type);
     if (integers_.size() < at + static_cast<std::size_t>(element.size)) {
       return fail("An element has too few nodes.");
     }
@@ -252,10 +267,22 @@ class MshParser {
       return fail("A tag is out of range.");
     }
     element.group = physical != 0 ? std::abs(physical) : -std::abs(entity);
-    element.second_order = type > type_quad && type != type_point;
+    element.second_order = element.size >= 3 && type > msh_quad;
     element.line = lines_.line();
     element.byte = lines_.byte();
     content_.elements.push_back(element);
+  }
+
+  void pass_over(std::int64_t type) {
+    if (is_msh_volume(type)) ++content_.passed_over.volumes;
+    if (is_msh_high_face(type)) ++content_.passed_over.faces;
+  }
+
+  void refuse_type(std::int64_t type) {
+    fail("Element type " + std::to_string(type) + ", " + msh_type_name(type) +
+         ", cannot be read: a mesh in the plane has points, lines, triangles and quads of first "
+         "order" +
+         (is_msh_volume(type) ? "." : " (in Gmsh: Mesh.ElementOrder = 1)."));
   }
 
   void sort_nodes() {
@@ -270,6 +297,7 @@ class MshParser {
   MeshScope scope_;
   Words words_;
   std::vector<std::int64_t> integers_;
+  std::string section_;                              // that is being read, without its $
   int version_ = 0;                                  // 2 or 4
   std::vector<MshLabelled<std::int64_t>> entities_;  // physical tag of each entity that has one
   MshContent content_;
@@ -288,6 +316,10 @@ Index MshContent::node_index(std::int64_t tag) const {
 
 Result<MshContent> parse_msh(std::string_view text, MeshScope scope) {
   return MshParser(text, scope).parse();
+}
+
+bool is_msh_in_space(std::string_view text) {
+  return MshParser(text, MeshScope::space).is_in_space();
 }
 
 }  // namespace lpq

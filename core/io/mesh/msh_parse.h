@@ -46,9 +46,15 @@ const Value* find_msh_label(const std::vector<MshLabelled<Value>>& sorted, std::
 }
 
 struct MshContent {
+  /// Elements that are passed over in space.
+  struct PassedOver {
+    std::int64_t volumes = 0;
+    std::int64_t faces = 0;  // of third order or higher
+  };
   std::vector<MshLabelled<std::string>> names;  // sorted
   std::vector<MshNode> nodes;                   // sorted by tag, each tag once
   std::vector<MshElement> elements;
+  PassedOver passed_over;
 
   /// Index into nodes, none if there is no such tag. Cost O(log #nodes).
   Index node_index(std::int64_t tag) const;
@@ -57,9 +63,14 @@ struct MshContent {
 /// Line by line as Gmsh writes it, versions 2.0 - 2.2 and 4.1, ASCII. In the plane z must be 0, and
 /// elements other than points, lines, triangles and quads of first order are an error, as they
 /// would be silently left out. In space: any z, triangles and quads of second order are read as
-/// their corners, other kinds (volumes) are passed over. Nothing is reserved from the counts in the
-/// file: memory grows only with lines that are really there. Errors: parse_error with line and
-/// byte.
+/// their corners, other kinds (volumes) are passed over and counted. Nothing is reserved from the
+/// counts in the file: memory grows only with lines that are really there. Errors: parse_error with
+/// line and byte.
 Result<MshContent> parse_msh(std::string_view text, MeshScope scope);
+
+/// Is it a surface, or was it meant as one, rather than a mesh or lines in the plane? A face that
+/// leaves the plane z = 0, or volumes; without faces, and of a file that cannot be read to its end,
+/// also a node that does.
+bool is_msh_in_space(std::string_view text);
 
 }  // namespace lpq

@@ -4,6 +4,7 @@
 
 #include "io/mesh/msh.h"
 #include "io/mesh/msh_parse.h"
+#include "io/mesh/msh_types.h"
 #include "io/mesh_text.h"
 #include "io/text_place.h"
 
@@ -84,7 +85,7 @@ Result<OutputMesh> read(std::string_view text, MeshScope scope, bool needs_faces
   if (!content) return content.error();
   auto mesh = MshReader(*content).read();
   if (mesh && mesh->faces.empty() && needs_faces)
-    return error_at(text, text.size(), "The file has no triangle and no quad.");
+    return error_at(text, text.size(), error_of_no_face(*content).message);
   return mesh;
 }
 

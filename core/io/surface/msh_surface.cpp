@@ -2,6 +2,7 @@
 #include "io/surface/msh_surface.h"
 
 #include "io/mesh/msh_parse.h"
+#include "io/mesh/msh_types.h"
 #include "io/surface/soup_builder.h"
 
 namespace lpq {
@@ -24,20 +25,18 @@ Error unknown_node(const MshElement& element, std::int64_t tag) {
   return error;
 }
 
-}  // namespace
-
-bool has_faces_in_space(std::string_view text) {
-  const auto content = parse_msh(text, MeshScope::space);
-  if (!content) return false;
-  for (const MshElement& element : content->elements) {
-    if (element.size < 3) continue;
-    for (int k = 0; k < element.size; ++k) {
-      const Index node = content->node_index(element.nodes[static_cast<std::size_t>(k)]);
-      if (node != none && content->nodes[static_cast<std::size_t>(node)].point.z != 0) return true;
-    }
-  }
-  return false;
+void warn_of_passed_over(const MshContent& content, SoupBuilder& builder) {
+  const auto warn = [&](std::int64_t count, const std::string& what, const std::string& rest) {
+    if (count == 0) return;
+    const std::string number = std::to_string(count) + what;
+    builder.warn({ErrorCode::ignored, number + (count == 1 ? " is" : "s are") + rest, {}});
+  };
+  warn(content.passed_over.volumes, " volume element",
+       " left out: the surface is the triangles and quads of the file.");
+  warn(content.passed_over.faces, " element", " left out, being faces of third order or higher.");
 }
+
+}  // namespace
 
 Result<SurfaceSoup> read_msh_surface(std::string_view text) {
   const auto content = parse_msh(text, MeshScope::space);
@@ -62,10 +61,10 @@ Result<SurfaceSoup> read_msh_surface(std::string_view text) {
     curved += element.second_order;
   }
   if (builder.too_large()) return too_many_triangles();
-  if (!builder.has_polygon())
-    return Error{ErrorCode::empty, "The file has no triangle and no quad.", {}};
+  if (!builder.has_polygon()) return error_of_no_face(*content);
+  warn_of_passed_over(*content, builder);
   if (curved > 0)
-    builder.warn({ErrorCode::parse_error,
+    builder.warn({ErrorCode::adapted,
                   std::to_string(curved) + " elements of second order are read as their corners.",
                   {}});
   return builder.take();

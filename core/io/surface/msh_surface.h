@@ -9,12 +9,9 @@
 namespace lpq {
 
 /// Versions 2.0 - 2.2 and 4.1, ASCII. Triangles and quads of first or second order (as their
-/// corners, with a warning); points, lines and volumes are passed over. The group of an element is
-/// its physical surface, or without one its elementary surface. Errors: parse_error with line and
-/// byte; empty without a triangle or quad.
+/// corners, with a warning); points and lines are passed over, volumes too, with a warning. The
+/// group of an element is its physical surface, or without one its elementary surface. Errors:
+/// parse_error with line and byte; empty without a triangle or quad.
 Result<SurfaceSoup> read_msh_surface(std::string_view text);
-
-/// Does a triangle or quad have a corner with z other than 0? False for what cannot be read.
-bool has_faces_in_space(std::string_view text);
 
 }  // namespace lpq

@@ -18,13 +18,23 @@ class ObjSurfaceReader {
       if (builder_.too_large()) return too_many_triangles();
     }
     if (failed_) return error_;
-    if (!builder_.has_polygon())
-      return Error{ErrorCode::empty, "The file has no face (no line 'f ...').", {}};
+    if (!builder_.has_polygon()) return no_face();
     if (short_faces_ > 0) warn_of_short_faces();
     return builder_.take();
   }
 
  private:
+  Error no_face() const {
+    std::string text = "The file has no face (no line 'f ...')";
+    if (short_faces_ > 0) text = "The file has no face of three corners or more";
+    if (free_forms_ > 0) {
+      text += ", only free-form curves or surfaces. Export it as triangles";
+    } else if (builder_.point_count() > 0) {
+      text += ", only points or lines";
+    }
+    return {ErrorCode::empty, text + ".", {}};
+  }
+
   /// A line and what follows it after a backslash.
   std::string_view next_logical_line() {
     std::string_view line = lines_.next();
@@ -60,6 +70,8 @@ class ObjSurfaceReader {
       name_group(group_);
     } else if (keyword == "usemtl") {
       name_group(material_);
+    } else if (keyword == "cstype") {
+      ++free_forms_;
     }
   }
 
@@ -81,9 +93,11 @@ class ObjSurfaceReader {
       std::int64_t index = 0;
       if (!parse_integer(word.substr(0, word.find('/')), index))
         return fail("A face corner must be a vertex number.");
-      index = index > 0 ? index - 1 : builder_.point_count() + index;
+      const std::int64_t number = index;
+      // 0 is nobody's number.
+      index = number > 0 ? number - 1 : number < 0 ? builder_.point_count() + number : -1;
       if (index < 0 || index >= builder_.point_count())
-        return fail("A face names a vertex that is not there.");
+        return fail(unknown_vertex(number, builder_.point_count(), 1).message);
       corners_.push_back(static_cast<Index>(index));
     }
     builder_.add_polygon(corners_);
@@ -112,6 +126,7 @@ class ObjSurfaceReader {
   void warn_of_short_faces() {
     first_short_.message = std::to_string(short_faces_) +
                            " faces with fewer than three corners are left out; here is the first.";
+    first_short_.code = ErrorCode::ignored;
     builder_.warn(first_short_);
   }
 
@@ -121,7 +136,7 @@ class ObjSurfaceReader {
   SoupBuilder builder_;
   std::vector<Index> corners_;
   std::string object_, group_, material_;
-  std::int64_t short_faces_ = 0;
+  std::int64_t short_faces_ = 0, free_forms_ = 0;
   Error first_, first_short_;  // the line being read, the first short face
   bool failed_ = false;
   Error error_;

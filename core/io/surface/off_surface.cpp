@@ -26,6 +26,8 @@ class OffReader {
   void fail(std::string message, ErrorCode code = ErrorCode::parse_error) {
     if (failed_) return;
     failed_ = true;
+    if (words_.size() > 0 && lines_.at_end())
+      message += " It is the last line: the file may have been cut off.";
     error_ = lines_.error(std::move(message));
     error_.code = code;
   }
@@ -34,6 +36,7 @@ class OffReader {
   bool next_words(const char* what) {
     do {
       if (lines_.at_end()) {
+        words_.split({});
         fail(std::string("The file ends before its last ") + what + ".");
         return false;
       }
@@ -89,7 +92,7 @@ class OffReader {
       std::int64_t index = 0;
       if (!parse_integer(words_[k], index)) return fail("A face corner must be a vertex number.");
       if (index < 0 || index >= builder_.point_count())
-        return fail("A face names a vertex that is not there.");
+        return fail(unknown_vertex(index, builder_.point_count(), 0).message);
       corners_.push_back(static_cast<Index>(index));
     }
     if (size >= 3) return builder_.add_polygon(corners_);
@@ -99,6 +102,7 @@ class OffReader {
   void warn_of_short_faces() {
     first_short_.message = std::to_string(short_faces_) +
                            " faces with fewer than three corners are left out; here is the first.";
+    first_short_.code = ErrorCode::ignored;
     builder_.warn(first_short_);
   }
 

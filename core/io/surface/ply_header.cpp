@@ -45,6 +45,7 @@ class HeaderReader {
   explicit HeaderReader(std::string_view bytes) : bytes_(bytes) {}
 
   Result<PlyHeader> read() {
+    if (bytes_.substr(0, 3) == "\xEF\xBB\xBF") next_ = 3;  // a byte order mark
     if (next_line(); words_.size() != 1 || words_[0] != "ply")
       fail("A PLY file begins with 'ply'.");
     while (!failed_) {

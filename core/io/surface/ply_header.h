@@ -40,7 +40,8 @@ constexpr std::size_t bytes_of(PlyType type) {
   return bytes[static_cast<std::size_t>(type)];
 }
 
-/// Lines may end in LF, CRLF or CR. Errors: parse_error with line and byte.
+/// Lines may end in LF, CRLF or CR; a byte order mark may come first. Errors: parse_error with line
+/// and byte.
 Result<PlyHeader> read_ply_header(std::string_view bytes);
 
 }  // namespace lpq

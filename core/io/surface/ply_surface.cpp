@@ -101,16 +101,27 @@ class PlyReader {
     }
     if (failed_) return error_;
     if (builder_.too_large()) return too_many_triangles();
-    if (!builder_.has_polygon()) return Error{ErrorCode::empty, "The file has no face.", {}};
+    if (!builder_.has_polygon()) return no_face();
     if (short_faces_ > 0)
       builder_.warn(
-          {ErrorCode::parse_error,
+          {ErrorCode::ignored,
            std::to_string(short_faces_) + " faces with fewer than three corners are left out.",
            {}});
     return builder_.take();
   }
 
  private:
+  Error no_face() const {
+    std::string text = "The file has no face";
+    const auto is_strip = [](const PlyElement& element) { return element.name == "tristrips"; };
+    if (std::any_of(header_.elements.begin(), header_.elements.end(), is_strip)) {
+      text += ", only strips of triangles. Export it as triangles";
+    } else if (builder_.point_count() > 0) {
+      text += ", only points";
+    }
+    return {ErrorCode::empty, text + ".", {}};
+  }
+
   void fail(std::string message, ErrorCode code = ErrorCode::parse_error) {
     if (failed_) return;
     failed_ = true;
@@ -213,7 +224,11 @@ class PlyReader {
       const double index = next(property.type);
       if (failed_) return;
       if (!(index >= 0 && index < builder_.point_count() && index == std::floor(index)))
-        return fail("A face names a vertex that is not there.");
+        return fail(
+            index == std::floor(index) && std::abs(index) < 1e15
+                ? unknown_vertex(static_cast<std::int64_t>(index), builder_.point_count(), 0)
+                      .message
+                : "A face corner must be a vertex number.");
       corners_.push_back(static_cast<Index>(index));
     }
   }

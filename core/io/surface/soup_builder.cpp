@@ -71,7 +71,9 @@ bool SoupBuilder::too_large() const {
 }
 
 Error too_many_triangles() {
-  return {ErrorCode::too_large, "The file has more than 200 million points or triangles.", {}};
+  return {ErrorCode::too_large,
+          "The file has more than 200 million points or triangles. Coarsen it, or divide it.",
+          {}};
 }
 
 }  // namespace lpq

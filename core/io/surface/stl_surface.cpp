@@ -76,6 +76,8 @@ class StlTextReader {
   void fail(std::string message, ErrorCode code = ErrorCode::parse_error) {
     if (failed_) return;
     failed_ = true;
+    if (next_ >= text_.size() && start_ < text_.size())
+      message += " It is the last word: the file may have been cut off.";
     error_ = error_at(text_, start_, std::move(message), code);
   }
 
@@ -142,7 +144,7 @@ class StlTextReader {
       if (parse_number(word_, *x)) continue;
       return is_not_finite_word(word_)
                  ? fail("A vertex has a coordinate that is not finite.", ErrorCode::non_finite)
-                 : fail("A vertex needs three finite numbers: x y z.");
+                 : fail("A vertex needs three finite numbers: x y z." + advice_on_comma(word_));
     }
     corners_.push_back(builder_.point_count());
     builder_.add_point(p);

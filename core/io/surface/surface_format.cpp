@@ -4,6 +4,8 @@
 #include <string>
 
 #include "io/domain/domain_format.h"
+#include "io/file_kind.h"
+#include "io/mesh/msh_parse.h"
 #include "io/surface/msh_surface.h"
 #include "io/surface/obj_surface.h"
 #include "io/surface/off_surface.h"
@@ -67,17 +69,16 @@ std::optional<SurfaceFormat> surface_format_by_content(std::string_view bytes) {
 
 bool is_surface_file(std::string_view file_name, std::string_view bytes) {
   auto format = surface_format_by_ending(file_name);
-  if (!format && !domain_format_by_ending(file_name)) {
+  if (!format && !domain_format_by_ending(file_name) && !kind_by_ending(file_name)) {
     format = surface_format_by_content(bytes);
     if (format != SurfaceFormat::msh && domain_format_by_content(bytes)) return false;
   }
-  return format && (*format != SurfaceFormat::msh || has_faces_in_space(bytes));
+  return format && (*format != SurfaceFormat::msh || is_msh_in_space(bytes));
 }
 
-Result<SurfaceSoup> read_surface(std::string_view bytes, SurfaceFormat format) {
-  // A binary STL may begin with any bytes.
-  if (format != SurfaceFormat::stl)
-    if (auto wide = refuse_utf16(bytes)) return *std::move(wide);
+namespace {
+
+Result<SurfaceSoup> read_as(std::string_view bytes, SurfaceFormat format) {
   switch (format) {
     case SurfaceFormat::obj: return read_obj_surface(bytes);
     case SurfaceFormat::off: return read_off_surface(bytes);
@@ -88,14 +89,23 @@ Result<SurfaceSoup> read_surface(std::string_view bytes, SurfaceFormat format) {
   return Error{};
 }
 
+}  // namespace
+
+Result<SurfaceSoup> read_surface(std::string_view bytes, SurfaceFormat format) {
+  // A binary STL may begin with any bytes.
+  if (!is_binary_stl(bytes))
+    if (auto wide = refuse_utf16(bytes)) return *std::move(wide);
+  auto soup = read_as(bytes, format);
+  if (soup) return soup;
+  return error_of_kind(soup.error(), bytes, surface_formats[static_cast<std::size_t>(format)].name);
+}
+
 Result<SurfaceSoup> read_surface_file(std::string_view file_name, std::string_view bytes) {
   auto format = surface_format_by_ending(file_name);
-  if (!format) format = surface_format_by_content(bytes);
+  const bool silent = !domain_format_by_ending(file_name) && !kind_by_ending(file_name);
+  if (!format && silent) format = surface_format_by_content(bytes);
   if (format) return read_surface(bytes, *format);
-  return Error{
-      ErrorCode::parse_error,
-      "The format of the surface is not known. Name the file " + std::string(surface_endings) + ".",
-      {}};
+  return unknown_format(file_name, bytes);
 }
 
 }  // namespace lpq

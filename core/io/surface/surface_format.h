@@ -34,7 +34,7 @@ std::optional<SurfaceFormat> surface_format_by_ending(std::string_view file_name
 std::optional<SurfaceFormat> surface_format_by_content(std::string_view bytes);
 
 /// Is it a surface rather than a domain in the plane? By the file name's ending; a .msh file is one
-/// if a face of it leaves the plane z = 0. Where the ending says nothing, by the content.
+/// by is_msh_in_space(). Where the ending says nothing, by the content.
 bool is_surface_file(std::string_view file_name, std::string_view bytes);
 
 /// Errors: those of the reader; see its header.

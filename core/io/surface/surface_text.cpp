@@ -24,6 +24,23 @@ bool is_not_finite_word(std::string_view word) {
   return same_letters(word.substr(0, 3), "nan") || same_letters(word.substr(0, 3), "inf");
 }
 
+std::string advice_on_comma(std::string_view word) {
+  const std::size_t comma = word.find(',');
+  if (comma == std::string_view::npos || comma + 1 == word.size()) return {};
+  return " Write decimals with a point: '" + std::string(word.substr(0, 40)) + "' has a comma.";
+}
+
+Error unknown_vertex(std::int64_t number, std::int64_t count, std::int64_t first) {
+  std::string text = "A face names vertex " + std::to_string(number) + ", which is not there: ";
+  if (count == 0) {
+    text += "no vertex stands before it.";
+  } else {
+    text += "they are numbered from " + std::to_string(first) + " to " +
+            std::to_string(first + count - 1) + ".";
+  }
+  return {ErrorCode::parse_error, std::move(text), {}};
+}
+
 bool read_point(const Words& words, std::size_t at, const char* what, Vec3& point, Error& error) {
   double* const coordinates[] = {&point.x, &point.y, &point.z};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -33,6 +50,7 @@ bool read_point(const Words& words, std::size_t at, const char* what, Vec3& poin
     error.message = what;
     error.message += not_finite ? " has a coordinate that is not finite."
                                 : " needs three finite numbers: x y z.";
+    if (at + k < words.size()) error.message += advice_on_comma(words[at + k]);
     return false;
   }
   return true;

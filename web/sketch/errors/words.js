@@ -21,6 +21,8 @@ const titles = {
   LOST_PRECISION: 'The coordinates are too coarse for this mesh size.',
   TOO_MANY_ELEMENTS: 'This mesh would have too many elements.',
   TOO_LARGE: 'This is larger than what can be handled.',
+  IGNORED: 'Something was left out, or has no effect.',
+  ADAPTED: 'Something was changed, or read as something else.',
   NO_VALID_MESH: 'No good mesh was found for this domain.',
   OUT_OF_MEMORY: 'There is not enough memory for this mesh.',
   CANCELLED: 'The run was cancelled.',

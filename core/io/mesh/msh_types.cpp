@@ -1,0 +1,85 @@
+// See msh_types.h.
+#include "io/mesh/msh_types.h"
+
+#include <string_view>
+
+namespace lpq {
+namespace {
+
+constexpr std::int64_t type_line = 1, type_triangle = 2, type_point = 15;
+constexpr std::int64_t type_triangle_6 = 9, type_quad_9 = 10, type_quad_8 = 16;
+
+struct TypeName {
+  std::int64_t from, to;  // numbers of types
+  const char* what;
+};
+
+/// Kinds that are not read, or in space alone (Gmsh reference manual, "MSH file format").
+constexpr TypeName other_types[] = {{4, 4, "a tetrahedron"},
+                                    {5, 5, "a hexahedron"},
+                                    {6, 6, "a prism"},
+                                    {7, 7, "a pyramid"},
+                                    {8, 8, "a line of second order"},
+                                    {9, 9, "a triangle of second order"},
+                                    {10, 10, "a quad of second order"},
+                                    {11, 14, "a volume of second order"},
+                                    {16, 16, "a quad of second order"},
+                                    {17, 19, "a volume of second order"},
+                                    {20, 25, "a face of higher order"},
+                                    {26, 28, "a line of higher order"},
+                                    {29, 31, "a volume of higher order"},
+                                    {36, 51, "a face of higher order"},
+                                    {71, 93, "a volume of higher order"}};
+
+}  // namespace
+
+const char* msh_type_name(std::int64_t type) {
+  for (const TypeName& one : other_types)
+    if (one.from <= type && type <= one.to) return one.what;
+  return "of an unknown kind";
+}
+
+bool is_msh_volume(std::int64_t type) {
+  return (type >= 4 && type <= 7) ||
+         std::string_view(msh_type_name(type)).substr(0, 8) == "a volume";
+}
+
+int msh_corners(std::int64_t type, MeshScope scope) {
+  switch (type) {
+    case type_point: return 1;
+    case type_line: return 2;
+    case type_triangle: return 3;
+    case msh_quad: return 4;
+    case type_triangle_6: return scope == MeshScope::space ? 3 : 0;
+    case type_quad_8:
+    case type_quad_9: return scope == MeshScope::space ? 4 : 0;
+    default: return 0;
+  }
+}
+
+bool is_msh_high_face(std::int64_t type) {
+  return std::string_view(msh_type_name(type)).substr(0, 6) == "a face";
+}
+
+Error error_of_no_face(const MshContent& content) {
+  std::string text = "The file has no triangle and no quad";
+  if (content.passed_over.volumes > 0) {
+    text +=
+        ", only volume elements (" + std::to_string(content.passed_over.volumes) +
+        "). Extract the surface first: in Gmsh, save the physical surfaces too, or all elements "
+        "(-save_all).";
+  } else if (content.passed_over.faces > 0) {
+    text +=
+        " of first or second order, only faces of higher order. Save it with first order (in "
+        "Gmsh: Mesh.ElementOrder = 1).";
+  } else if (!content.elements.empty()) {
+    text +=
+        ", only points and lines. Mesh the surfaces first (gmsh -2); the lines of a domain in the "
+        "plane need z = 0.";
+  } else {
+    text += content.nodes.empty() ? ": no node and no element." : ", only nodes.";
+  }
+  return {ErrorCode::empty, std::move(text), {}};
+}
+
+}  // namespace lpq
