@@ -56,7 +56,7 @@ const notify = createNotices(element('stage'));
 /** @type {App} */
 const app = {
   store, runner, actions, stage, tabs, themes, scene,
-  sides: new Sides({ name: '', runner, scene }), led: () => app.sides.all.map((side) => side.runner),
+  sides: new Sides({ letter: '', name: '', runner, scene, project: () => store.project }), led: () => app.sides.all.map((side) => side.runner),
   problemsOf: () => [], openFiles: async () => {}, openers: [], recordings: [],
   announce: (text) => setText(element('announcer'), text),
   notify,

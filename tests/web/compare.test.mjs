@@ -1,5 +1,6 @@
 // Comparisons, as a person uses them, and what they are made of.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { createLpquad } from '../../dist/node.js';
 import { comparisons, difference, lines, projectOf } from '../../web/compare/comparisons.js';
@@ -152,6 +153,47 @@ test('figures, fingerprint and legends are of the side that is chosen', async ()
   await page.keyboard.press('Control+z');
   await page.getByRole('tab', { name: 'Figures' }).click();
   assert.equal(await page.locator('#panel-figures .side-choice').isVisible(), false);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('what leaves the page is of the side that is chosen, and says so', async () => {
+  const page = await playground.open({ hash: '#preset=square' });
+  await finished(page);
+  await page.getByRole('tab', { name: 'Compare' }).click();
+  await page.getByRole('radio', { name: 'p = 2 and p = 6' }).check();
+  await both(page);
+  const reports = await page.evaluate(() => globalThis.playground.led().map(({ run }) => run.result.report));
+  assert.notEqual(reports[0].hash, reports[1].hash);
+  await page.getByRole('tab', { name: 'Files' }).click();
+  const panel = page.locator('#panel-files');
+  const saved = async (name) => {
+    const [download] = await Promise.all([page.waitForEvent('download'), panel.getByRole('button', { name }).click()]);
+    return { name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8') };
+  };
+  for (const [at, letter, name] of [[1, 'B', 'B: p = 6'], [0, 'A', 'A: p = 2']]) {
+    const choice = panel.getByRole('button', { name });
+    if (at === 0) await choice.click();
+    assert.equal(await choice.getAttribute('aria-pressed'), 'true');
+    assert.equal(await panel.locator('.fingerprint').textContent(), reports[at].hash);
+    const mesh = await saved('Download .json'), report = await saved('Report of the run');
+    assert.equal(mesh.name, `square-${letter}.json`);
+    assert.equal(JSON.parse(mesh.text).quads.length, reports[at].quads);
+    assert.equal(report.name, `square-${letter}.report.json`);
+    assert.equal(JSON.parse(report.text).hash, reports[at].hash);
+    assert.equal(/norm: 2/.test(await panel.locator('.code').textContent()), at === 0);
+    assert.equal((await saved('Picture (.svg)')).name, `square-${letter}.picture.svg`);
+  }
+  const pictures = [];
+  for (const name of ['A: p = 2', 'B: p = 6']) {
+    await panel.getByRole('button', { name }).click();
+    pictures.push((await saved('Picture (.svg)')).text);
+  }
+  assert.notEqual(pictures[0], pictures[1]);
+  await page.keyboard.press('Control+z');
+  await finished(page);
+  assert.equal(await panel.locator('.side-choice').isVisible(), false);
+  assert.equal((await saved('Download .json')).name, 'square.json');
   assert.deepEqual(page.errors, []);
   await page.context().close();
 });

@@ -28,6 +28,7 @@ test('at the end the numbers are those that the library gives anywhere', async (
   assert.equal(await figure('irregular'), report.quality.interiorVertices - report.quality.valenceHistogram[4]);
   assert.ok((await page.locator('#panel-figures .hash').textContent()).includes(report.hash));
   assert.equal(await page.locator('.bars li').count(), Object.keys(report.cpuSeconds).length);
+  for (const label of await page.locator('.bars li > :first-child').allTextContents()) assert.ok(!(label in report.cpuSeconds), label);
 });
 
 test('pointing at the curve shows that iteration, as long as the pointer is there', async () => {

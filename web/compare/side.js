@@ -45,7 +45,7 @@ export function createSide(app, letter, createEngine) {
   runner.subscribe(refresh);
 
   return {
-    element, runner, stage, refresh, scene: stage.scene,
+    element, letter, project, runner, stage, refresh, scene: stage.scene,
     get name() { return `${letter}: ${last?.side.name ?? ''}`; },
     figures: () => (stage.scene().freshness === 'current' ? figuresOf(runner.run) : { final: false }),
     /** @param {Project} whole  @param {Side} side */

@@ -1,10 +1,11 @@
 // Whose numbers the panels show: those of the run, or of one of the two that are compared.
 /** @import { App } from '../app' */
-/** @import { Scene } from '../types' */
+/** @import { Project, Scene } from '../types' */
 /** @import { Runner } from '../run/runner.js' */
 import { h, withSubscripts } from '../panels/dom.js';
 
-/** @typedef {{name: string, runner: Runner, scene: () => Scene}} Shown */
+/** `project`: the one on the screen with the options of this mesh. `letter`: '' of a run that is not compared.
+ * @typedef {{letter: string, name: string, runner: Runner, scene: () => Scene, project: () => Project}} Shown */
 
 export class Sides {
   /** @type {Shown[]} */
@@ -43,8 +44,12 @@ export class Sides {
 }
 
 /** Buttons to choose between the two. @param {App} app */
-export function createSideChoice({ sides }) {
-  const buttons = [0, 1].map((at) => h('button', { type: 'button', onclick: () => sides.choose(at) }, 'AB'[at]));
+export function createSideChoice({ actions, sides }) {
+  const choose = (/** @type {number} */ at) => {
+    sides.choose(at);
+    actions.refresh();  // what is possible, or on, may be of the side
+  };
+  const buttons = [0, 1].map((at) => h('button', { type: 'button', onclick: () => choose(at) }, 'AB'[at]));
   const element = h('div', { className: 'buttons side-choice', role: 'group', 'aria-label': 'Which of the two meshes', hidden: true }, ...buttons);
   const refresh = () => {
     element.hidden = sides.all.length < 2;

@@ -5,11 +5,12 @@
 import { createSideChoice } from '../compare/sides.js';
 import { h, setText, withSubscripts } from '../panels/dom.js';
 import { stageName } from '../run/words.js';
-import { createBars, createHistogram } from './bars.js';
+import { createHistogram } from './bars.js';
 import { createCurve } from './curve.js';
 import { createNumbers } from './numbers.js';
 import { createScrub } from './scrub.js';
 import { figuresOf, iterationOf, iteratesOf } from './statistics.js';
+import { createTimes } from './times.js';
 
 /** @param {App} app */
 export function installFiguresTab(app) {
@@ -81,29 +82,3 @@ function createQuality() {
   }
   return { element, show };
 }
-
-/** @type {Record<string, string>} */
-const stages = {
-  prepare: 'outline and field', seeds: 'first points', optimise: 'settling cells', match: 'choosing pairs',
-  clean: 'merging, tidying', patch: 'remeshing patches', smooth: 'smoothing', check: 'last check',
-};
-
-function createTimes() {
-  const bars = createBars({ name: 'Time by stage',
-    help: 'Computing time of the mesher in this browser, without drawing.' });
-  const element = h('div', { hidden: true }, bars.element);
-  /** @param {Figures} figures */
-  function show({ seconds }) {
-    element.hidden = seconds === undefined;
-    if (seconds === undefined) return;
-    const total = Object.values(seconds).reduce((sum, one) => sum + one, 0);
-    const rows = Object.entries(seconds).map(([name, value]) =>
-      ({ label: stages[name] ?? name, value, text: inMilliseconds(value) }));
-    bars.show(rows, inMilliseconds(total));
-  }
-  return { element, show };
-}
-
-/** @param {number} seconds */
-const inMilliseconds = (seconds) =>
-  (seconds < 10 ? `${Math.round(1000 * seconds).toLocaleString('en')} ms` : `${seconds.toFixed(1)} s`);

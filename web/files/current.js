@@ -2,6 +2,7 @@
 /** @import { App } from '../app' */
 /** @import { MeshResult } from '../types' */
 import { haveSameMesh } from '../state/project.js';
+import { fileNameOf } from './names.js';
 
 /**
  * The mesh, or why there is none.
@@ -18,6 +19,12 @@ export function meshOf({ phase, result, error }, own, changing) {
   return { mesh: null, reason: going ? 'The mesh is not finished yet.' : 'The mesh is not finished yet: run it to the end first.' };
 }
 
-/** @param {Pick<App, 'runner' | 'store'>} app  @returns {{mesh: MeshResult, reason: ''} | {mesh: null, reason: string}} */
-export const currentMesh = ({ runner: { run }, store }) =>
-  meshOf(run, run.project !== null && haveSameMesh(run.project, store.project), store.gesture !== '');
+/** Of a comparison, that of the side that is chosen.
+ * @param {Pick<App, 'sides' | 'store'>} app  @returns {{mesh: MeshResult, reason: ''} | {mesh: null, reason: string}} */
+export function currentMesh({ sides: { chosen: { runner: { run }, project } }, store }) {
+  return meshOf(run, run.project !== null && haveSameMesh(run.project, project()), store.gesture !== '');
+}
+
+/** What files of that mesh are called, without ending: those of two that are compared lie beside each other.
+ * @param {Pick<App, 'sides'>} app */
+export const currentName = ({ sides: { chosen: { letter, project } } }) => fileNameOf(project()) + (letter && `-${letter}`);

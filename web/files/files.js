@@ -1,20 +1,20 @@
 // The Files tab: what leaves the page.
 /** @import { App } from '../app' */
 /** @import { OptionInfo } from 'lpquad' */
+import { createSideChoice } from '../compare/sides.js';
 import { h } from '../panels/dom.js';
 import { toCommand } from './code/command.js';
 import { toCpp } from './code/cpp.js';
 import { toJavaScript } from './code/javascript.js';
 import { createCode } from './code/panel.js';
-import { currentMesh } from './current.js';
+import { currentMesh, currentName } from './current.js';
 import { createExport } from './export.js';
-import { fileNameOf } from './names.js';
 import { createPictures } from './pictures.js';
 import { installTab } from './tab.js';
 
 /** @param {App} app */
 export function installFiles(app) {
-  const { actions, store } = app;
+  const { actions } = app;
   const pictures = createPictures(app);
   const project = h('section', null, h('h2', null, 'Project'),
     h('p', { className: 'quiet' }, 'Drawing, options and layers, to open again or to pass on.'),
@@ -22,16 +22,17 @@ export function installFiles(app) {
   const native = h('section', null, h('h2', null, 'A native run'),
     h('p', { className: 'quiet' }, 'The folder that lpquad mesh … --stages DIR wrote, to step through.'),
     h('div', { className: 'buttons' }, actions.button('file.stages', { labelled: true })));
-  const exporting = { ...app, current: () => currentMesh(app), name: () => fileNameOf(store.project) };
-  installTab(app, [pictures, { element: project }], ({ meshFormats, options, writeOptions }) => ({
-    above: [createExport(exporting, meshFormats, writeOptions)],
+  const exporting = { ...app, current: () => currentMesh(app), name: () => currentName(app) };
+  const refresh = installTab(app, [pictures, { element: project }], ({ meshFormats, options, writeOptions }) => ({
+    above: [{ element: createSideChoice(app) }, createExport(exporting, meshFormats, writeOptions)],
     below: [createCode(app, languagesOf(app, options), 'Makes the same mesh, bit for bit.'), { element: native }],
   }));
+  app.sides.subscribe(refresh);
 }
 
 /** @param {App} app  @param {OptionInfo[]} known */
-function languagesOf({ store }, known) {
-  const by = (/** @type {typeof toCpp} */ write) => () => write(store.project, known, fileNameOf(store.project));
+function languagesOf(app, known) {
+  const by = (/** @type {typeof toCpp} */ write) => () => write(app.sides.chosen.project(), known, currentName(app));
   return {
     javascript: { title: 'JavaScript', write: by(toJavaScript) },
     cpp: { title: 'C++', write: by(toCpp) },

@@ -3,17 +3,16 @@
 import { pngPicture, svgPicture } from '../draw/picture.js';
 import { h } from '../panels/dom.js';
 import { exactJson } from '../state/project_file.js';
-import { currentMesh } from './current.js';
+import { currentMesh, currentName } from './current.js';
 import { download } from './download.js';
-import { fileNameOf } from './names.js';
 
 /** @param {App} app */
 export function createPictures(app) {
   const { actions } = app;
   const has = () => currentMesh(app).mesh !== null;
   const save = async (/** @type {'svg' | 'png'} */ ending) => {
-    const name = `${fileNameOf(app.store.project)}.picture.${ending}`;
-    const content = ending === 'svg' ? svgPicture(app.scene(), app.stage.view) : await pngPicture(app.scene(), app.stage.view);
+    const name = `${currentName(app)}.picture.${ending}`, scene = app.sides.chosen.scene();
+    const content = ending === 'svg' ? svgPicture(scene, app.stage.view) : await pngPicture(scene, app.stage.view);
     download(name, content, ending === 'svg' ? 'image/svg+xml' : 'image/png');
     app.announce(`Saved as ${name}`);
   };
@@ -34,7 +33,7 @@ export function createPictures(app) {
 function saveReport(app) {
   const { mesh } = currentMesh(app);
   if (mesh === null) return;
-  const name = `${fileNameOf(app.store.project)}.report.json`;
+  const name = `${currentName(app)}.report.json`;
   download(name, `${exactJson(mesh.report)}\n`, 'application/json');
   app.announce(`Saved as ${name}`);
 }

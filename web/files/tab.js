@@ -10,7 +10,8 @@ import { whenDescribed } from '../run/description.js';
  */
 
 /** @param {Page} page  @param {Part[]} parts
- * @param {(description: Description) => {above: Part[], below: Part[]}} late  what needs the mesher, and comes when it is there */
+ * @param {(description: Description) => {above: Part[], below: Part[]}} late  what needs the mesher, and comes when it is there
+ * @returns {() => void} brings it up to date */
 export function installTab({ actions, runner, store, tabs }, parts, late) {
   const elements = (/** @type {Part[]} */ some) => some.map(({ element }) => element);
   const body = tabs.add('files', 'Files', ...elements(parts));
@@ -27,4 +28,5 @@ export function installTab({ actions, runner, store, tabs }, parts, late) {
     actions.refresh();
     refresh();
   });
+  return refresh;
 }

@@ -1,4 +1,4 @@
-// How fast runs play; remembered as long as the browser's tab.
+// How fast runs play, on either page; remembered as long as the browser's tab.
 /** @import { App } from '../app' */
 import { h } from '../panels/dom.js';
 
@@ -14,16 +14,16 @@ function remembered() {
   }
 }
 
-/** @param {App} app  @returns {HTMLElement} */
-export function createSpeed(app) {
-  const { actions, runner, announce } = app;
+/** @param {Pick<App, 'actions' | 'announce'>} page  @param {{speed: number}} runner
+ * @param {() => {speed: number}[]} [others]  that run with it  @returns {HTMLElement} */
+export function createSpeed({ actions, announce }, runner, others = () => []) {
   const select = h('select', {
     className: 'speed', 'aria-label': 'Speed', title: 'How fast the run plays',
     onchange: () => set(Number(select.value)),
   }, ...speeds.map((speed) => h('option', { value: String(speed) }, `${speed}×`)));
 
   function set(/** @type {number} */ speed) {
-    for (const led of [runner, ...app.led()]) led.speed = speed;
+    for (const led of [runner, ...others()]) led.speed = speed;
     select.value = String(speed);
     try {
       sessionStorage.setItem(key, String(speed));

@@ -77,7 +77,7 @@ export function installTimeline(app) {
       actions.button('run.reset'), actions.button('run.back'),
       actions.button('run.play', { className: 'primary' }), actions.button('run.step'),
       actions.button('run.end'), actions.button('run.cancel')),
-    slider, stage, createSpeed(app));
+    slider, stage, createSpeed(app, runner, app.led));
 
   let spoken = '';
   const refresh = () => {

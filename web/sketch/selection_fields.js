@@ -23,11 +23,12 @@ export function selectionSection({ actions, stage }, sketch) {
     { id: 'outline.remove', label: 'Remove this outline', icon: 'remove', enabled: chosen,
       run: () => sketch.selected && sketch.change('Remove an outline', model.removePath(sketch.drawing, sketch.selected)) },
   );
-  const name = h('p', { className: 'hint' });
+  const name = h('p', { className: 'hint in-one-line' });
   const coordinates = vertexFields(sketch), shape = shapeFields(sketch, path), tag = tagField(sketch);
-  const details = h('div', null,
+  // There without a vertex, too: what is below must not jump when one is chosen.
+  const details = h('fieldset', { className: 'chosen-fields', 'aria-label': 'Numbers of the chosen vertex' },
     h('div', { className: 'fields' }, ...coordinates.map(({ element }) => element), tag.element),
-    ...shape.groups.map(({ element }) => element));
+    h('div', { className: 'one-of' }, ...shape.groups.map(({ element }) => element)));
   const element = h('section', { className: 'selection-section', 'aria-label': 'Chosen vertex' },
     h('div', { className: 'buttons', role: 'group', 'aria-label': 'Vertices' },
       ...['vertex.previous', 'vertex.next', 'vertex.add', 'vertex.remove', 'outline.remove', 'sketch.whole'].map((id) => actions.button(id))),
@@ -38,7 +39,7 @@ export function selectionSection({ actions, stage }, sketch) {
     const { selected } = sketch;
     if (chosen() !== wasChosen) actions.refresh();
     wasChosen = chosen();
-    details.hidden = selected === null;
+    details.disabled = selected === null;
     setText(name, selected ? `Vertex ${selected.vertex + 1} of ${path().length}, ${nameOf(selected)}` : 'No vertex chosen.');
     for (const field of coordinates) field.refresh();
     tag.refresh();
@@ -117,7 +118,7 @@ function shapeFields(sketch, path) {
     const { round, box } = now();
     const shown = round ? 0 : box ? 1 : 2;
     groups.forEach(({ element, fields }, i) => {
-      element.hidden = i !== shown;
+      element.classList.toggle('away', i !== shown);
       if (i === shown) for (const field of fields) field.refresh();
     });
   } };

@@ -9,6 +9,7 @@ import { h, setText } from '../panels/dom.js';
 import { createNotices } from '../panels/notice.js';
 import { Tabs } from '../panels/tabs.js';
 import { createEngine } from '../run/engine.js';
+import { createSpeed } from '../run/speed.js';
 import { Store } from '../state/store.js';
 import { installKeeping, openFirst } from './model/keeping.js';
 import { fromFragment, problemOf } from './model/link.js';
@@ -79,7 +80,7 @@ installTitle(app, ['edit.undo', 'edit.redo', 'view.fit', 'page.theme', 'page.hel
 
 const progress = h('progress', { max: 1, 'aria-label': 'Progress' }), stageName = h('span', { className: 'stage-name' });
 element('timeline').append(actions.button('run.again'), actions.button('run.pause'), actions.button('run.step'),
-  actions.button('run.end'), actions.button('run.cancel'), progress, stageName);
+  actions.button('run.end'), actions.button('run.cancel'), progress, stageName, createSpeed(app, runner));
 
 const planes = new Planes(app, element('plane-view'));
 const refreshScene = installScene(app);

@@ -1,9 +1,10 @@
 // The Figures tab: how good the mesh is, and what it took.
 /** @import { SpaceApp } from '../types' */
-import { createBars, createHistogram } from '../../figures/bars.js';
+import { createHistogram } from '../../figures/bars.js';
 import { createNumbers, kinds } from '../../figures/numbers.js';
+import { createTimes } from '../../figures/times.js';
 import { h, setText } from '../../panels/dom.js';
-import { stageInWords } from '../run/words.js';
+import { stageInWords, stageNames } from '../run/words.js';
 
 /** The layer marks only those off sharp edges; these are all. @param {import('../../figures/numbers.js').Kind} kind */
 const inSpace = (kind) => (kind.key !== 'irregular' ? kind : { ...kind, name: 'Irregular, on sharp edges too',
@@ -20,7 +21,7 @@ export function installFiguresTab({ runner, tabs }) {
     help: 'How many quads there are in each twentieth from 0 to 1.' });
   const valence = createHistogram({ name: 'Vertices by number of quads', heads: ['Quads at a vertex', 'Vertices'],
     help: 'How many quads meet at interior vertices; four is regular.' });
-  const times = createBars({ name: 'Time by stage', help: 'Computing time of the mesher in this browser, without drawing.' });
+  const times = createTimes(stageNames);
   const charts = h('div', { hidden: true }, eta.element, valence.element, times.element);
   const hash = h('code', { title: 'Equal meshes have equal fingerprints, here and on the command line.' });
   tabs.add('figures', 'Figures', about, numbers.element, charts, h('p', { className: 'quiet hash' }, 'Fingerprint ', hash));
@@ -35,9 +36,7 @@ export function installFiguresTab({ runner, tabs }) {
     eta.show(quality.etaHistogram.map((value, i) => ({ label: (i / 20).toFixed(2), value })), `mean ${quality.etaMean.toFixed(3)}`);
     valence.show(quality.valenceHistogram.slice(2).map((value, i) => ({ label: i + 2 === 9 ? '9+' : String(i + 2), value })),
       `${quality.fourValentPercent.toFixed(1)} % have four`);
-    const seconds = Object.entries(cpuSeconds);
-    times.show(seconds.map(([label, value]) => ({ label, value, text: `${Math.round(1000 * value)} ms` })),
-      `${Math.round(1000 * seconds.reduce((sum, [, value]) => sum + value, 0))} ms`);
+    times.show({ seconds: cpuSeconds });
   };
   runner.subscribe(refresh);
   refresh();

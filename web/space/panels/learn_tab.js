@@ -1,11 +1,7 @@
 // The Learn tab: how the mesh of a surface is made, in the order of the run.
 /** @import { SpaceApp } from '../types' */
-import { h } from '../../panels/dom.js';
-
-const paper = {
-  authors: 'T. Carrier Baudouin, J.-F. Remacle, E. Marchandise, J. Lambrechts, F. Henrotte', journal: 'Engineering with Computers',
-  title: 'Lloyd’s energy minimization in the L_p norm for quadrilateral surface mesh generation', doi: '10.1007/s00366-012-0290-x',
-};
+import { citation } from '../../learn/paper.js';
+import { h, withSubscripts } from '../../panels/dom.js';
 
 /** @type {[string, string][]} */
 const steps = [
@@ -25,15 +21,11 @@ const steps = [
     up in both. Marks are irregular vertices, where three or five quads meet instead of four. A ball needs them; where they are is a choice.`],
 ];
 
-/** With the p of L_p below the line. @param {string} text */
-const lowered = (text) => text.split(/(?<=\bL)_(p)\b/).map((part, i) => (i % 2 === 1 ? h('sub', null, part) : part));
-
 /** @param {Pick<SpaceApp, 'tabs'>} app */
 export function installLearnTab({ tabs }) {
-  const article = h('article', null, ...steps.flatMap(([title, text]) => [h('h2', null, title), h('p', null, ...lowered(text.replace(/\s+/g, ' ')))]),
+  const article = h('article', null, ...steps.flatMap(([title, text]) => [h('h2', null, title), h('p', null, ...withSubscripts(text.replace(/\s+/g, ' ')))]),
     h('h2', null, 'The paper'),
-    h('p', null, `${paper.authors}: `, h('cite', null, ...lowered(paper.title)), `. ${paper.journal}, 2012. `,
-      h('a', { href: `https://doi.org/${paper.doi}` }, `doi:${paper.doi}`), '.'),
+    h('p', null, ...citation()),
     h('p', { className: 'quiet' }, 'Its surfaces have one map each. Cutting into several charts, the seams and the moves in space are additions.'));
   tabs.add('learn', 'Learn', article);
 }

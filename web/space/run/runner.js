@@ -17,6 +17,7 @@ const cellsFor = 5000;       // milliseconds for the first ones of all charts to
 const longest = 500;         // for the first one of a chart
 const next = 60;             // for each of the others
 const mostWatching = 5000;   // of all pictures of a run together, drawing included, which may be slow
+const betweenStages = 300;   // after each, of a run half as fast; all of these at speed 1
 const pictureEvery = 40;  // milliseconds of meshing between two looks
 const wordEvery = 400;    // the same on the way to the end, where there are no pictures
 const chartsEvery = 250;  // milliseconds between two looks at what all charts have so far: it is drawn anew
@@ -36,6 +37,8 @@ export class SurfaceRunner {
   #release = () => {};
   /** Straight to the end: nothing is looked at on the way. */
   #hurried = false;
+  /** How fast a run is shown; 1 takes some seconds. */
+  speed = 1;
 
   /** @param {() => Promise<LpquadWorker>} createEngine
    * @param {() => boolean} [watched]  whether charts are meshed slowly enough to see their cells */
@@ -149,6 +152,7 @@ export class SurfaceRunner {
       if (this.#looks({ over: over && state.stage, between, missed, due: performance.now() - looked > Math.max(chartsEvery, (looked - start) / rarer) })) {
         await this.#look(session, wanted, { ...missed, ...layersAfter[before.stage] });
         [looked, missed] = [performance.now(), {}];
+        if (over && state.stage !== 'done') await this.#linger();
       } else if (shown && !between) await this.#lookAtCells(session, wanted, watching);
       else if (wanted()) this.#become({ state, frame: { ...this.run.frame, ...between && { cells: undefined } } });
       if (shown && !this.run.paused) watching.spent += performance.now() - began;
@@ -165,7 +169,12 @@ export class SurfaceRunner {
 
   /** Whether the cells of the chart are looked at. @param {{left: number, spent: number}} watching */
   #shows({ left, spent }) {
-    return this.run.paused || (!this.#hurried && left > 0 && spent < mostWatching && this.watched());
+    return this.run.paused || (!this.#hurried && left > 0 && spent < mostWatching / this.speed && this.watched());
+  }
+
+  /** What a stage has left is seen for longer by those who want it slower. */
+  async #linger() {
+    if (this.speed < 1 && !this.#hurried && !this.run.paused) await this.#rest(betweenStages * (1 / this.speed - 1));
   }
 
   /** Until it is let go on, or so long. @param {number} [milliseconds] */
@@ -195,7 +204,7 @@ export class SurfaceRunner {
       watching.left = 0;
       return;
     }
-    await this.#rest(watching.left < pictures ? next : Math.min(longest, cellsFor / session.state.chartCount));
+    await this.#rest((watching.left < pictures ? next : Math.min(longest, cellsFor / session.state.chartCount)) / this.speed);
     --watching.left;
   }
 }

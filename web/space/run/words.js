@@ -11,6 +11,9 @@ const names = {
   mesh: 'meshing charts', seams: 'remeshing over the seams', shape: 'moving the vertices', done: 'done',
 };
 
+/** By what reports call the stages: two of theirs are never on the screen. @type {Record<string, string>} */
+export const stageNames = { ...names, repair: 'repairing the surface', summary: 'measuring the mesh' };
+
 /** Where the run is. @param {SurfaceRun} run */
 export function stageInWords({ phase, state, error, paused, result }) {
   if (phase === 'failed') return `failed: ${shortTitle(error?.code ?? '')}`;

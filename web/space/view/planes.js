@@ -3,6 +3,7 @@
 /** @import { Layout } from './layout.js' */
 import { once } from '../../draw/once.js';
 import { dark, light } from '../../draw/palette.js';
+import { h } from '../../panels/dom.js';
 import { atNextPicture } from '../../panels/next_picture.js';
 import { bordersOf, nextCorner } from './borders.js';
 import { cellColours, chartColour } from './geometry.js';
@@ -17,6 +18,7 @@ export class Planes {
   #app;
   #element;
   #canvas;
+  #waiting = h('p', { className: 'instead quiet' }, 'The charts come here.');
   /** @type {{charts: unknown, aspect: number, layout: Layout} | null} */
   #known = null;
   /** What the picture shows. @type {unknown[]} */
@@ -28,6 +30,7 @@ export class Planes {
     this.#app = app;
     this.#element = element;
     this.#canvas = /** @type {HTMLCanvasElement} */ (element.querySelector('canvas'));
+    element.append(this.#waiting);
     for (const name of /** @type {const} */ (['pointermove', 'pointerdown']))
       this.#canvas.addEventListener(name, (event) => app.point(this.#chartAt(event)));
     this.#canvas.addEventListener('pointerleave', () => app.point(-1));
@@ -38,8 +41,8 @@ export class Planes {
   /** Most steps of a run change nothing here, and tens of thousands of triangles are slow to draw. */
   refresh() {
     const { layers, pointed, runner, themes } = this.#app;
-    const { frame: { charts, cells }, result } = runner.run;
-    const depends = [charts, cells, result, pointed.chart, themes.dark, layers().has('cells')];
+    const { frame: { charts, cells }, result, phase } = runner.run;
+    const depends = [charts ?? phase, cells, result, pointed.chart, themes.dark, layers().has('cells')];
     if (depends.every((one, i) => one === this.#drawn[i])) return;
     this.#drawn = depends;
     this.#invalidate();
@@ -64,7 +67,9 @@ export class Planes {
 
   #paint() {
     const canvas = this.#canvas;
-    this.#element.hidden = this.#app.runner.run.frame.charts === undefined;
+    const { frame: { charts }, phase } = this.#app.runner.run;
+    this.#waiting.hidden = charts !== undefined;
+    this.#element.hidden = charts === undefined && phase !== 'running';  // a run keeps the place: the view beside it must not jump
     const { width, height } = this.#element.getBoundingClientRect();
     canvas.width = Math.round(width * devicePixelRatio);
     canvas.height = Math.round(height * devicePixelRatio);

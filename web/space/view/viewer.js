@@ -51,7 +51,7 @@ export class Viewer {
   /** There is nothing to see in space; all else works. */
   #excuse() {
     this.canvas.hidden = true;
-    this.element.append(h('p', { className: 'without-space' }, 'This browser has no WebGL, so the surface cannot be shown in space. '
+    this.element.append(h('p', { className: 'instead' }, 'This browser has no WebGL, so the surface cannot be shown in space. '
       + 'It is meshed all the same: charts, figures and files are there.'));
   }
 
