@@ -62,6 +62,7 @@ void append_repairs(JsonWriter& json, const RepairReport& repair) {
   json.member("pointsGiven", repair.points_given);
   json.member("trianglesGiven", repair.triangles_given);
   json.member("weldedPoints", repair.welded_points);
+  json.member("rounding", repair.rounding);
   json.member("slitPoints", repair.slit_points);
   json.member("hangingPoints", repair.hanging_points);
   json.member("unusedPoints", repair.unused_points);

@@ -21,8 +21,11 @@ constexpr double widest_gap = 1e-3;  // relative to the diagonal, that is told
 // A triangle lower than this, relative to the diagonal, is flat: what rounding leaves of collinear
 // points. Removing it moves the surface by no more than that.
 constexpr double flat_height = 1e-10;
-constexpr double most_shorter = 0.9;  // of the edges may be shorter than the distance of welding
-constexpr double least_weld = 1e-15;  // below the last bit of the coordinates: equal points only
+constexpr double most_shorter = 0.9;   // of the edges may be shorter than the distance of welding
+constexpr double mostly_open = 1;      // edges of one triangle for every triangle
+constexpr double left_open = 0.1;      // of those
+constexpr double may_collapse = 0.02;  // of the triangles
+constexpr double least_weld = 1e-15;   // below the last bit of the coordinates: equal points only
 
 class Repair {
  public:
@@ -105,11 +108,35 @@ class Repair {
   }
 
   void weld() {
-    const double weld = options_.weld < least_weld ? 0 : options_.weld;
-    first_ = weld_points(soup_.points, used_, weld * diagonal_, body_);
+    first_ = welded(options_.weld);
+    widen_weld();
     for (std::size_t v = 0; v < first_.size(); ++v)
       report_.welded_points += first_[v] != static_cast<Index>(v);
     renumber(first_);
+  }
+
+  std::vector<Index> welded(double weld) const {
+    return weld_points(soup_.points, used_, weld < least_weld ? 0 : weld * diagonal_, body_);
+  }
+
+  /// Files that round the points of every face for themselves fall to pieces: the first distance
+  /// that makes nearly whole what is open nearly everywhere is theirs.
+  void widen_weld() {
+    if (options_.weld < least_weld) return;
+    const OpenEdges given = open_edges(soup_.triangles, first_);
+    const auto all = static_cast<double>(soup_.triangles.size());
+    if (given.count < mostly_open * all) return;
+    for (const double wider : {1e-8, 1e-7, 1e-6, 1e-5}) {
+      if (wider <= options_.weld) continue;
+      std::vector<Index> first = welded(wider);
+      const OpenEdges now = open_edges(soup_.triangles, first);
+      if (now.collapsed > given.collapsed + may_collapse * all ||
+          now.count > left_open * given.count)
+        continue;
+      first_ = std::move(first);
+      report_.rounding = wider * diagonal_;
+      return;
+    }
   }
 
   void renumber(const std::vector<Index>& number) {

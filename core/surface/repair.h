@@ -15,14 +15,16 @@ namespace lpq {
 struct RepairOptions {
   /// Points nearer than this, relative to the bounding box's diagonal, are one point. 1e-10 is what
   /// rounding leaves of equal points; files whose sheets do not quite meet may need 1e-7 or more.
-  /// Slits of 1e-6 are closed unless this is 0, and points that hang on edges as near as the larger
-  /// of the two become theirs.
+  /// A file whose triangles hardly hang together at all gets the least of 1e-8 .. 1e-5 that makes
+  /// them: it has rounded its points face by face. Slits of 1e-6 are closed unless this is 0, and
+  /// points that hang on edges as near as the larger of the two become theirs.
   double weld = 1e-10;  // 0 .. 0.01, 0 welds equal points only
 };
 
 struct RepairReport {
   Index points_given = 0, triangles_given = 0;
   Index welded_points = 0;        // became one with an earlier point
+  double rounding = 0;            // the distance of welding where it had to be larger: see weld
   Index slit_points = 0;          // the same, across gaps of no width (slits.h)
   Index hanging_points = 0;       // lay on an edge of another sheet, and divide it (hanging.h)
   Index unused_points = 0;        // no triangle has them

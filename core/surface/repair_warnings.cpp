@@ -16,6 +16,11 @@ std::vector<Warning> repair_warnings(const RepairReport& report) {
     const std::string what = count == 1 ? " " + one + " was " : " " + many + " were ";
     warnings.push_back({code, std::to_string(count) + what + rest, {}});
   };
+  if (report.rounding > 0)
+    warnings.push_back({ErrorCode::adapted,
+                        "The triangles hardly hang together: points within " +
+                            short_number(report.rounding) + " of each other were made one.",
+                        {}});
   warn(ErrorCode::duplicate_point, report.slit_points, "point", "points",
        "made one with another across a slit without width.");
   warn(ErrorCode::touching, report.hanging_points, "point", "points",

@@ -9,6 +9,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/sort_numbers.h"
+#include "surface/edges.h"
 
 namespace lpq {
 namespace {
@@ -100,6 +101,17 @@ std::vector<Index> weld_points(std::span<const Vec3> points, std::span<const cha
   std::vector<Index> first(points.size());
   for (Index v = 0; v < static_cast<Index>(points.size()); ++v) first[v] = sets.root(v);
   return first;
+}
+
+OpenEdges open_edges(std::vector<Tri> triangles, std::span<const Index> first) {
+  OpenEdges open;
+  for (Tri& t : triangles)
+    for (Index& v : t) v = first[v];
+  open.collapsed = static_cast<Index>(std::erase_if(
+      triangles, [](const Tri& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }));
+  const SurfaceEdges edges = surface_edges(triangles, static_cast<Index>(first.size()));
+  for (Index e = 0; e < edges.count(); ++e) open.count += edges.half_edges.row(e).size() == 1;
+  return open;
 }
 
 }  // namespace lpq

@@ -6,6 +6,7 @@
 
 #include "base/index.h"
 #include "geometry/vec3.h"
+#include "mesh/tri_mesh.h"
 
 namespace lpq {
 
@@ -16,5 +17,13 @@ namespace lpq {
 /// one; points of different bodies are never one. Cost O(#V log #V).
 std::vector<Index> weld_points(std::span<const Vec3> points, std::span<const char> used,
                                double distance, std::span<const Index> body = {});
+
+struct OpenEdges {
+  Index count = 0;      // edges of one triangle
+  Index collapsed = 0;  // triangles with a corner twice, which have no edges
+};
+
+/// Of the triangles, if every point is the one that `first` says. Cost O(#T log valence).
+OpenEdges open_edges(std::vector<Tri> triangles, std::span<const Index> first);
 
 }  // namespace lpq

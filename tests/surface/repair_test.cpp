@@ -240,6 +240,27 @@ TEST_CASE("points that hang on edges of another sheet are shared") {
   }
 }
 
+TEST_CASE("triangles whose points are rounded one by one are put together") {
+  const SurfaceSoup box = box_soup({1, 2, 3}, 4);
+  for (const double error : {3e-8, 3e-6, 3e-3}) {
+    Rng rng(7);
+    const auto off = [&] { return error * (rng.unit() - 0.5); };
+    SurfaceSoup soup;
+    for (const Tri& t : box.triangles) {
+      const Index first = static_cast<Index>(soup.points.size());
+      for (const Index v : t) soup.points.push_back(box.points[v] + Vec3{off(), off(), off()});
+      soup.triangles.push_back({first, first + 1, first + 2});
+    }
+    const auto result = repaired(soup);
+    const bool is_rounding = error < 1e-5;
+    CHECK((result.report.rounding > 0) == is_rounding);
+    CHECK(result.report.border_edges == (is_rounding ? 0 : 3 * box.triangles.size()));
+    CHECK(result.mesh.triangles.size() == box.triangles.size());
+    CHECK(repaired(soup, {.weld = 0}).report.components ==
+          static_cast<Index>(box.triangles.size()));
+  }
+}
+
 TEST_CASE("gaps between borders are told, with the weld that closes them") {
   const SurfaceSoup box = box_soup({1, 2, 3}, 4);
   for (const double gap : {1e-5, 1e-3, 0.1}) {
