@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "surface/normals.h"
 #include "surface/sharp_chains.h"
+#include "surface/sharp_edges.h"
 
 namespace lpq {
 namespace {
@@ -19,14 +21,19 @@ class NeedleFinder {
                const SurfaceFeatures& features)
       : mesh_(mesh), size_(size), features_(features) {}
 
-  /// The longest side of the triangle if it is a needle with a fold along two sides; else none.
-  Index fold_of(Index t) const {
+  struct Needle {
+    Index longest = none;    // half-edge, none if the triangle is no needle with a fold
+    bool has_three = false;  // all sides are sharp: it would be a face of its own
+  };
+  /// A needle is folded along its longest side and one other, or along all three.
+  Needle needle_at(Index t) const {
     Index longest = 3 * t;
     for (Index e = 3 * t + 1; e < 3 * t + 3; ++e)
       if (squared_side(e) > squared_side(longest)) longest = e;
     const Index next = next_in_triangle(longest), last = next_in_triangle(next);
-    if (!is_sharp(longest) || is_sharp(next) == is_sharp(last)) return none;
-    return is_needle(t, squared_side(longest)) ? longest : none;
+    const int others = is_sharp(next) + is_sharp(last);
+    if (!is_sharp(longest) || others == 0 || !is_needle(t, squared_side(longest))) return {};
+    return {longest, others == 2};
   }
 
  private:
@@ -57,19 +64,30 @@ void unfold_needles(const SurfaceMesh& mesh, std::span<const double> size,
                     SurfaceFeatures& features) {
   const NeedleFinder needles(mesh, size, features);
   const SharpChains chains(mesh, angles, options.angle, features);
-  std::vector<Index> folds;
+  std::vector<Index> folds, faces;
   for (Index t = 0; t < mesh.triangle_count(); ++t) {
-    const Index e = needles.fold_of(t);
-    if (e != none && chains.is_rough(chains.through(features.edges.edge_of[e]), false))
-      folds.push_back(e);
+    const auto [e, has_three] = needles.needle_at(t);
+    if (e == none) continue;
+    const bool rough = chains.is_rough(chains.through(features.edges.edge_of[e]), false);
+    if (rough != has_three) (rough ? folds : faces).push_back(e);
   }
+  const auto kind_of = [&](Index e) -> FeatureKind& {
+    return features.kind[features.edges.edge_of[e]];
+  };
   for (const Index e : folds) {
-    const Index next = next_in_triangle(e), last = next_in_triangle(next);
-    features.kind[features.edges.edge_of[e]] = FeatureKind::smooth;
-    for (const Index side : {next, last}) {
-      FeatureKind& kind = features.kind[features.edges.edge_of[side]];
-      kind = std::max(kind, FeatureKind::sharp);
-    }
+    kind_of(e) = FeatureKind::smooth;
+    for (const Index side : {next_in_triangle(e), prev_in_triangle(e)})
+      kind_of(side) = std::max(kind_of(side), FeatureKind::sharp);
+  }
+  if (faces.empty()) return;
+  const double least = cos_degrees(options.angle);
+  const std::vector<Vec3> normals = triangle_normals(mesh, size);
+  const auto behind = [&](Index e) { return normals[triangle_of(mesh.twins[e])]; };
+  for (const Index e : faces) {
+    kind_of(e) = FeatureKind::smooth;
+    for (const Index side : {next_in_triangle(e), prev_in_triangle(e)})
+      if (dot(behind(side), behind(e)) >= least * length(behind(side)) * length(behind(e)))
+        kind_of(side) = FeatureKind::smooth;
   }
 }
 

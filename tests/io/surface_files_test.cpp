@@ -37,6 +37,17 @@ const std::string three_points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 }  // namespace
 
+TEST_CASE("faces of an OFF file may be spread over lines") {
+  const std::string points = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  const auto spread = read_surface_file("a.off", points + "3 0\n1\n2\n\n3 0 2\n 3\n");
+  REQUIRE(spread.has_value());
+  CHECK(spread->triangles == std::vector<Tri>{{0, 1, 2}, {0, 2, 3}});
+  const auto wrong = read_surface_file("a.off", points + "3 0 1\n3 0 2 3\n");
+  REQUIRE_FALSE(wrong.has_value());
+  CHECK(wrong.error().message.find("fewer corners") != std::string::npos);
+  CHECK_FALSE(read_surface_file("a.off", points + "3 0 1 2\n3 0 2\n").has_value());
+}
+
 TEST_CASE("OBJ: corners, groups, continued lines") {
   const auto box = good(read_obj_surface(obj_text(box_soup({1, 2, 3}, 2))));
   CHECK(area_of(box.points, box.triangles) == Approx(22));

@@ -295,6 +295,27 @@ TEST_CASE("features that fold back along a needle become one line, on uneven sur
   CHECK(sharp_after(1, 20, FeatureKind::marked) == folded);
 }
 
+TEST_CASE("a needle with three sharp sides is no face of its own") {
+  // A vertex inside a flat sheet, or on the ridge of a roof, pushed across the edge beside it.
+  for (const double slope : {0.0, 1.0}) {
+    SurfaceSoup soup = sheet_soup(6, [slope](int i, int) { return -slope * std::abs(i - 3); });
+    const Index a = 2 * 7 + 3, b = a + 7, c = a + 1, d = b + 1;  // a square right of the ridge
+    std::erase_if(soup.triangles, [&](const Tri& t) {
+      return std::all_of(t.begin(), t.end(),
+                         [&](Index v) { return v == a || v == b || v == c || v == d; });
+    });
+    const Vec3 m = 0.55 * soup.points[a] + 0.45 * soup.points[b];
+    const auto apex = static_cast<Index>(soup.points.size());
+    const Vec3 right = soup.points[c] - soup.points[a];
+    soup.points.push_back(m - 0.01 * right);
+    soup.triangles.insert(soup.triangles.end(),
+                          {{a, c, apex}, {c, d, apex}, {d, b, apex}, {b, a, apex}});
+    const SurfaceMesh mesh = mesh_of(soup);
+    const SurfaceFeatures features = features_of(mesh, 0.5);
+    CHECK(features.face_count == (slope == 0 ? 1 : 2));
+  }
+}
+
 TEST_CASE("needles in a plane do not make it sharp") {
   // A plane with a vertex so near an edge that rounding decides where the triangle looks.
   SurfaceSoup soup = sheet_soup(4, [](int, int) { return 0; });

@@ -85,18 +85,31 @@ class OffReader {
     std::int64_t size = 0;
     if (!parse_integer(words_[0], size) || size < 0)
       return fail("A face begins with the number of its corners.");
-    if (size >= static_cast<std::int64_t>(words_.size()))
-      return fail("A face has fewer corners than it says.");
     corners_.clear();
-    for (std::size_t k = 1; k <= static_cast<std::size_t>(size); ++k) {
+    add_corners(1, size);
+    // Some programs spread a face over lines, and have nothing behind its corners.
+    while (!failed_ && static_cast<std::int64_t>(corners_.size()) < size) {
+      if (lines_.at_end()) return fail("A face has fewer corners than it says.");
+      if (!next_words("face")) return;
+      if (static_cast<std::int64_t>(corners_.size() + words_.size()) > size)
+        return fail("The face before has fewer corners than it says.");
+      add_corners(0, size);
+    }
+    if (failed_) return;
+    if (size >= 3) return builder_.add_polygon(corners_);
+    if (short_faces_++ == 0) first_short_ = lines_.error({});
+  }
+
+  /// From a word of the line on, until the face has `size`.
+  void add_corners(std::size_t word, std::int64_t size) {
+    for (; word < words_.size() && static_cast<std::int64_t>(corners_.size()) < size; ++word) {
       std::int64_t index = 0;
-      if (!parse_integer(words_[k], index)) return fail("A face corner must be a vertex number.");
+      if (!parse_integer(words_[word], index))
+        return fail("A face corner must be a vertex number.");
       if (index < 0 || index >= builder_.point_count())
         return fail(unknown_vertex(index, builder_.point_count(), 0).message);
       corners_.push_back(static_cast<Index>(index));
     }
-    if (size >= 3) return builder_.add_polygon(corners_);
-    if (short_faces_++ == 0) first_short_ = lines_.error({});
   }
 
   void warn_of_short_faces() {
