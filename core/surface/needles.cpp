@@ -82,12 +82,16 @@ void unfold_needles(const SurfaceMesh& mesh, std::span<const double> size,
   if (faces.empty()) return;
   const double least = cos_degrees(options.angle);
   const std::vector<Vec3> normals = triangle_normals(mesh, size);
-  const auto behind = [&](Index e) { return normals[triangle_of(mesh.twins[e])]; };
+  const auto is_bent = [&](Index e, Index side) {
+    const Vec3 n = normals[triangle_of(mesh.twins[e])], m = normals[triangle_of(mesh.twins[side])];
+    return dot(n, m) < least * length(n) * length(m);
+  };
   for (const Index e : faces) {
+    const Index next = next_in_triangle(e), last = prev_in_triangle(e);
+    if (is_bent(e, next) && is_bent(next, last) && is_bent(last, e)) continue;  // three faces
     kind_of(e) = FeatureKind::smooth;
-    for (const Index side : {next_in_triangle(e), prev_in_triangle(e)})
-      if (dot(behind(side), behind(e)) >= least * length(behind(side)) * length(behind(e)))
-        kind_of(side) = FeatureKind::smooth;
+    for (const Index side : {next, last})
+      if (!is_bent(e, side)) kind_of(side) = FeatureKind::smooth;
   }
 }
 

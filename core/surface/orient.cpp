@@ -9,6 +9,9 @@
 namespace lpq {
 namespace {
 
+// Cosine of the angle between the normals of two triangles that are one sheet beneath a third.
+constexpr double straight_on = 0.5;
+
 class Orienter {
  public:
   explicit Orienter(SurfaceMesh& mesh)
@@ -107,8 +110,7 @@ class Orienter {
         ++result_.borders;
       } else if (around.size() > 2) {
         ++result_.nonmanifold;
-        while (link_straightest(around)) {
-        }
+        if (around.size() == 3) link_straightest(around);
       } else if (runs_the_same_way(around[0], around[1])) {
         ++result_.conflicts;
       } else {
@@ -125,7 +127,7 @@ class Orienter {
   /// lie on each other in any plane. Of one part only, as parts have orientations of their own.
   bool link_straightest(std::span<const Index> around) {
     Index best_e = none, best_f = none;
-    double best = -2;
+    double best = straight_on;
     for (const Index e : around)
       for (const Index f : around) {
         if (f <= e || mesh_.twins[e] != none || mesh_.twins[f] != none) continue;
