@@ -252,6 +252,12 @@ TEST_CASE("files without faces are told what they have") {
   CHECK(contains(domain_error("x.svg", "<svg><text>a</text></svg>").message, "text"));
 }
 
+TEST_CASE("what a file is is found in linear time") {
+  const std::string tags(3'000'000, '<');
+  CHECK(contains(surface_error("x.obj", tags).message, "XML without an element"));
+  CHECK(contains(domain_error("x.json", tags).message, "XML without an element"));
+}
+
 TEST_CASE("lists of points are told how to write them") {
   for (const char* text : {"0 0\n1 0\n1 1\n", "0,0\n1,0\n", "NACA 0012\n1.0 0.0\n0.5 0.1\n"}) {
     INFO(text);
