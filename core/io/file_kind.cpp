@@ -141,7 +141,7 @@ FileKind kind_of_xml(std::string_view text) {
   for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
     constexpr std::size_t looked_at = 64;  // of each tag, so that the cost is linear
     const std::string_view rest = text.substr(at + 1, looked_at);
-    const std::string_view name = rest.substr(0, rest.find_first_of(" \t\r\n></"));
+    const std::string_view name = rest.substr(0, rest.find_first_of(" \t\r\n>/<"));
     if (same_letters(name, "!doctype") && same_letters(rest.substr(9, 4), "html"))
       return {"a web page (HTML)", load_again};
     if (name.empty() || name[0] == '?' || name[0] == '!') continue;
