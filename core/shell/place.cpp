@@ -67,17 +67,20 @@ void part_vertices(const SurfaceMesh& mesh, ShellMesh& shell, const Parting& par
   const std::vector<char> all(shell.points.size(), 1);
   const std::vector<Index> first =
       weld_points(shell.points, all, reach, bodies_at(mesh, shell.places));
-  const auto move = [&](Index v) {
+  // Every further one in a place goes further, or those of one triangle would stay together.
+  std::vector<Index> moved(first.size(), 0);
+  const auto move = [&](Index v, Index place_of) {
     SurfacePlace& place = shell.places[v];
-    for (double& weight : place.weight) weight += parting.inward * (1.0 / 3 - weight);
+    for (Index step = ++moved[place_of]; step > 0; --step)
+      for (double& weight : place.weight) weight += parting.inward * (1.0 / 3 - weight);
     shell.points[v] = point_at(mesh, place);
   };
   for (Index v = 0; v < static_cast<Index>(first.size()); ++v) {
     if (first[v] == v) continue;
     if (!shell.pinned[v])
-      move(v);
+      move(v, first[v]);
     else if (!shell.pinned[first[v]])
-      move(first[v]);
+      move(first[v], first[v]);
   }
 }
 
