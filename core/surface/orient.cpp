@@ -125,7 +125,7 @@ class Orienter {
 
   /// A sheet goes on beneath another that ends on it: else it would have a slit there, whose sides
   /// lie on each other in any plane. Of one part only, as parts have orientations of their own.
-  bool link_straightest(std::span<const Index> around) {
+  void link_straightest(std::span<const Index> around) {
     Index best_e = none, best_f = none;
     double best = straight_on;
     for (const Index e : around)
@@ -141,7 +141,6 @@ class Orienter {
         best_f = f;
       }
     if (best_e != none) link(best_e, best_f);
-    return best_e != none;
   }
 
   Vec3 normal(Index e) const {

@@ -211,7 +211,7 @@ TEST_CASE("a rib that ends inside a plate is an edge of both") {
   CHECK(outcome.report.quality.eta_min > 0.1);
 }
 
-TEST_CASE("sheets that meet along one edge only, and not at its ends, have it twice") {
+TEST_CASE("sheets that meet along one edge inside them keep it as an edge of both") {
   // Two tents that share their ridge: four triangles on it, all of one part.
   SurfaceSoup soup;
   soup.points = {{0, 0, 0},   {1, 0, 0},    {0.5, 1, -1}, {0.5, -1, -1},
