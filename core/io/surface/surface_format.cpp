@@ -102,8 +102,7 @@ Result<SurfaceSoup> read_surface(std::string_view bytes, SurfaceFormat format) {
 
 Result<SurfaceSoup> read_surface_file(std::string_view file_name, std::string_view bytes) {
   auto format = surface_format_by_ending(file_name);
-  const bool silent = !domain_format_by_ending(file_name) && !kind_by_ending(file_name);
-  if (!format && silent) format = surface_format_by_content(bytes);
+  if (!format) format = surface_format_by_content(bytes);
   if (format) return read_surface(bytes, *format);
   return unknown_format(file_name, bytes);
 }
