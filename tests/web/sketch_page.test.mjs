@@ -380,7 +380,7 @@ test('a file without outlines is refused as a file: nothing offers to replace th
   assert.deepEqual(await bar.getByRole('button').evaluateAll((all) => all.map((one) => one.ariaLabel ?? one.textContent)), ['Open another file', 'Close this message']);
   assert.equal(await page.evaluate(() => globalThis.playground.store.project.preset), 'square');
   await drop(page, 'README.md', 'Words.');
-  await bar.getByText(/\.dxf.*surface in space: \.stl/).waitFor();
+  await bar.getByText(/Surfaces are read from .*\.stl.*domains in the plane from .*\.dxf/).waitFor();
   await close(page);
 });
 
