@@ -66,27 +66,23 @@ class DomainMaker {
   /// Features inside, curve by curve: polylines from node to node.
   void add_inner_features(const SurfaceFeatures& features, const SurfaceCurves& curves,
                           const Atlas& atlas) {
-    std::vector<char> drawn(chart_.plane.triangles.size() * 3, 0);
     for (const Index c : curves_at(features, curves)) {
       const auto vertices = curves.vertices.row(c);
       const auto edges = curves.edges.row(c);
-      const auto inside = [&](std::size_t k, Index from) {
-        return k == edges.size()
-                   ? none
-                   : inner_half_edge(features.edges, edges[k], vertices[k], from, atlas, drawn);
-      };
-      for (std::size_t k = 0; k < edges.size(); ++k)
-        for (Index e = inside(k, none); e != none; e = inside(k, none)) {
-          Loop line;
-          std::size_t next = k;
-          for (Index on = e; on != none; on = inside(++next, chart_.plane.target(on))) {
-            e = on;
-            drawn[e] = 1;
-            append(e, line);
-          }
-          append_target(e, line);
+      Loop line;
+      for (std::size_t k = 0; k < edges.size(); ++k) {
+        const Index e = inner_half_edge(features.edges, edges[k], vertices[k], atlas);
+        if (e == none) {
           add_polyline(std::move(line));
+          line.clear();
+          continue;
         }
+        append(e, line);
+        if (k + 1 == edges.size() ||
+            inner_half_edge(features.edges, edges[k + 1], vertices[k + 1], atlas) == none)
+          append_target(e, line);
+      }
+      add_polyline(std::move(line));
     }
   }
 
@@ -109,17 +105,13 @@ class DomainMaker {
     if (line.size() > 1) domain_.input.polylines.push_back({std::move(line), ""});
   }
 
-  /// A half-edge of the plane that leaves `vertex` on this edge, if one lies inside and is not
-  /// drawn yet; else none. Where sheets meet there may be several: `from`, unless none, is its
-  /// origin.
-  Index inner_half_edge(const SurfaceEdges& edges, Index edge, Index vertex, Index from,
-                        const Atlas& atlas, const std::vector<char>& drawn) const {
+  /// The half-edge of the plane that leaves `from` on this edge, if it lies inside; else none.
+  Index inner_half_edge(const SurfaceEdges& edges, Index edge, Index from,
+                        const Atlas& atlas) const {
     for (const Index e : edges.half_edges.row(edge)) {
-      if (atlas.cut[e] || mesh_.origin(e) != vertex) continue;
-      if (!std::binary_search(chart_.triangles.begin(), chart_.triangles.end(), triangle_of(e)))
-        continue;
-      const Index there = on_plane(e);
-      if (!drawn[there] && (from == none || chart_.plane.origin(there) == from)) return there;
+      if (atlas.cut[e] || mesh_.origin(e) != from) continue;
+      if (std::binary_search(chart_.triangles.begin(), chart_.triangles.end(), triangle_of(e)))
+        return on_plane(e);
     }
     return none;
   }

@@ -57,6 +57,35 @@ class NeedleFinder {
   const SurfaceFeatures& features_;
 };
 
+FeatureKind& kind_of(SurfaceFeatures& features, Index half_edge) {
+  return features.kind[features.edges.edge_of[half_edge]];
+}
+
+/// A needle with a fold: one line along its two shorter sides. `longest`: half-edge.
+void unfold(Index longest, SurfaceFeatures& features) {
+  kind_of(features, longest) = FeatureKind::smooth;
+  for (const Index side : {next_in_triangle(longest), prev_in_triangle(longest)})
+    kind_of(features, side) = std::max(kind_of(features, side), FeatureKind::sharp);
+}
+
+/// Needles that would be faces join what is behind their longest sides.
+void join_faces(const SurfaceMesh& mesh, std::span<const double> size, double angle,
+                std::span<const Index> longest_sides, SurfaceFeatures& features) {
+  const double least = cos_degrees(angle);
+  const std::vector<Vec3> normals = triangle_normals(mesh, size);
+  const auto is_bent = [&](Index e, Index side) {
+    const Vec3 n = normals[triangle_of(mesh.twins[e])], m = normals[triangle_of(mesh.twins[side])];
+    return dot(n, m) < least * length(n) * length(m);
+  };
+  for (const Index e : longest_sides) {
+    const Index next = next_in_triangle(e), last = prev_in_triangle(e);
+    if (is_bent(e, next) && is_bent(next, last) && is_bent(last, e)) continue;  // three faces
+    kind_of(features, e) = FeatureKind::smooth;
+    for (const Index side : {next, last})
+      if (!is_bent(e, side)) kind_of(features, side) = FeatureKind::smooth;
+  }
+}
+
 }  // namespace
 
 void unfold_needles(const SurfaceMesh& mesh, std::span<const double> size,
@@ -71,28 +100,8 @@ void unfold_needles(const SurfaceMesh& mesh, std::span<const double> size,
     const bool rough = chains.is_rough(chains.through(features.edges.edge_of[e]), false);
     if (rough != has_three) (rough ? folds : faces).push_back(e);
   }
-  const auto kind_of = [&](Index e) -> FeatureKind& {
-    return features.kind[features.edges.edge_of[e]];
-  };
-  for (const Index e : folds) {
-    kind_of(e) = FeatureKind::smooth;
-    for (const Index side : {next_in_triangle(e), prev_in_triangle(e)})
-      kind_of(side) = std::max(kind_of(side), FeatureKind::sharp);
-  }
-  if (faces.empty()) return;
-  const double least = cos_degrees(options.angle);
-  const std::vector<Vec3> normals = triangle_normals(mesh, size);
-  const auto is_bent = [&](Index e, Index side) {
-    const Vec3 n = normals[triangle_of(mesh.twins[e])], m = normals[triangle_of(mesh.twins[side])];
-    return dot(n, m) < least * length(n) * length(m);
-  };
-  for (const Index e : faces) {
-    const Index next = next_in_triangle(e), last = prev_in_triangle(e);
-    if (is_bent(e, next) && is_bent(next, last) && is_bent(last, e)) continue;  // three faces
-    kind_of(e) = FeatureKind::smooth;
-    for (const Index side : {next, last})
-      if (!is_bent(e, side)) kind_of(side) = FeatureKind::smooth;
-  }
+  for (const Index e : folds) unfold(e, features);
+  if (!faces.empty()) join_faces(mesh, size, options.angle, faces, features);
 }
 
 }  // namespace lpq

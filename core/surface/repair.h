@@ -36,7 +36,7 @@ struct RepairReport {
   Index turned_triangles = 0;     // for one orientation
   Index components = 0;           // connected across edges of two triangles
   Index border_edges = 0;
-  Index nonmanifold_edges = 0;     // of three or more triangles: walls
+  Index nonmanifold_edges = 0;     // of three or more triangles: always features
   Index conflict_edges = 0;        // where one-sided parts are cut open: walls
   BorderGap gap;                   // up to 1e-3 of the diagonal: left open
   double closing_weld = 0;         // what would close it
@@ -53,9 +53,10 @@ struct RepairedSurface {
 };
 
 /// Welds within bodies, drops and divides triangles, orients, and cuts where the surface is not
-/// manifold. A point that triangles of several bodies have becomes several; those come last.
-/// Errors: those of check_soup(); bad_option; lost_precision where welding would make one point of
-/// nearly all; zero_area if nothing has height. Cost O(#T log #T).
+/// manifold (but not a sheet beneath another that ends on it, see orient.h). A point that triangles
+/// of several bodies have becomes several; those come last. Errors: those of check_soup();
+/// bad_option; lost_precision where welding would make one point of nearly all; zero_area if
+/// nothing has height. Cost O(#T log #T).
 Result<RepairedSurface> repair_surface(SurfaceSoup soup, const RepairOptions& options = {});
 
 }  // namespace lpq

@@ -115,7 +115,7 @@ struct Heap {
 // Noise goes around a triangle or around a vertex and its six or so neighbours; a plain loop of
 // more edges, however small, is the rim of a hole.
 constexpr Index fewest_of_rim = 8;
-// Smaller things stay in flat faces only, such as square holes: how uneven these may be, of the bend.
+// Of the bend: how uneven the faces may be in which smaller things stay, such as square holes.
 constexpr double uneven = 0.02;
 
 class HeapFilter {

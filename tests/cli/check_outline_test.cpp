@@ -4,15 +4,12 @@
 #include "catch.h"
 #include "cli/expected_boundary.h"
 #include "support/cli_runner.h"
+#include "support/contains.h"
 
 using namespace lpq;
 using namespace lpq_test;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// Squares by their lower left corner and side, with corners in one place as one vertex.
 OutputMesh squares(const std::vector<std::array<double, 3>>& list) {

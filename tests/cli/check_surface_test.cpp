@@ -3,16 +3,14 @@
 
 #include "catch.h"
 #include "support/cli_runner.h"
+#include "support/contains.h"
 
+using lpq_test::contains;
 using lpq_test::file_text;
 using lpq_test::run;
 using lpq_test::ScratchFolder;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// A cube of side 2 with outward quads, sides in two groups, and a copy of some lines left out.
 std::string cube_obj(bool turned = false, bool open = false) {

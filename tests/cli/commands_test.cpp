@@ -3,7 +3,9 @@
 
 #include "catch.h"
 #include "support/cli_runner.h"
+#include "support/contains.h"
 
+using lpq_test::contains;
 using lpq_test::file_text;
 using lpq_test::run;
 using lpq_test::ScratchFolder;
@@ -12,10 +14,6 @@ namespace {
 
 const std::string domains = LPQ_DOMAINS;
 const std::string bow_tie = R"({"loops": [[[0,0],[1,1],[1,0],[0,1]]], "h": 0.2})";
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 }  // namespace
 

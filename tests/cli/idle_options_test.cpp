@@ -1,17 +1,15 @@
 // What is given in vain is told: options without effect, files of formats that nobody reads.
 #include "catch.h"
 #include "support/cli_runner.h"
+#include "support/contains.h"
 
 using lpq_test::CliResult;
+using lpq_test::contains;
 using lpq_test::file_text;
 using lpq_test::run;
 using lpq_test::ScratchFolder;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 const std::string square = R"({"loops": [[[0, 0], [1, 0], [1, 1], [0, 1]]]})";
 const std::string tetrahedron =

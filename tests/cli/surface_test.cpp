@@ -4,7 +4,9 @@
 #include "catch.h"
 #include "cli/args.h"
 #include "support/cli_runner.h"
+#include "support/contains.h"
 
+using lpq_test::contains;
 using lpq_test::file_text;
 using lpq_test::run;
 using lpq_test::ScratchFolder;
@@ -12,10 +14,6 @@ using lpq_test::ScratchFolder;
 namespace {
 
 const std::string domains = LPQ_DOMAINS;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// A box of 1 x 1 x 2 as an STL file: two triangles a side.
 std::string box_stl() {

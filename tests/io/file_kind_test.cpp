@@ -5,6 +5,7 @@
 #include "io/mesh/mesh_format.h"
 #include "io/mesh/msh_parse.h"
 #include "io/surface/surface_format.h"
+#include "support/contains.h"
 #include "support/domain_files.h"
 #include "support/output_meshes.h"
 #include "support/surface_files.h"
@@ -14,10 +15,6 @@ using namespace lpq;
 using namespace lpq_test;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::string with_line_ends(const std::string& text, const std::string& end) {
   std::string out;

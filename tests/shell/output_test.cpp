@@ -6,6 +6,7 @@
 #include <set>
 
 #include "catch.h"
+#include "support/meshed_surface.h"
 #include "support/surface_meshes.h"
 #include "support/surface_shapes.h"
 
@@ -13,12 +14,6 @@ using namespace lpq;
 using namespace lpq_test;
 
 namespace {
-
-ShellOutcome meshed(const SurfaceSoup& soup, const SurfaceOptions& options) {
-  auto outcome = mesh_surface(soup, options);
-  REQUIRE(outcome.has_value());
-  return *std::move(outcome);
-}
 
 /// Regions on the left and right of every directed edge, from the faces alone.
 std::map<std::array<Index, 2>, std::vector<Index>> sides_of(const OutputMesh& mesh) {

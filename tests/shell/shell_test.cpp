@@ -15,6 +15,7 @@
 #include "shell/quality.h"
 #include "shell/snapshot.h"
 #include "shell/topology.h"
+#include "support/meshed_surface.h"
 #include "support/surface_meshes.h"
 #include "support/surface_shapes.h"
 
@@ -22,16 +23,6 @@ using namespace lpq;
 using namespace lpq_test;
 
 namespace {
-
-ShellOutcome meshed(const SurfaceSoup& soup, const SurfaceOptions& options) {
-  auto outcome = mesh_surface(soup, options);
-  INFO((outcome ? "" : outcome.error().message));
-  REQUIRE(outcome.has_value());
-  CHECK(check_shell(outcome->surface, outcome->mesh).empty());
-  CHECK(outcome->report.quality.triangles == 0);
-  CHECK(outcome->report.quality.nonconvex == 0);
-  return *std::move(outcome);
-}
 
 /// Every vertex is where its place on the surface says.
 double largest_distance(const ShellOutcome& outcome) {
@@ -168,86 +159,6 @@ TEST_CASE("closed surfaces are cut, meshed and made whole again", "[slow]") {
     CHECK(outcome.report.quality.eta_min > 0.3);
     CHECK(largest_distance(outcome) < 1e-9);
   }
-}
-
-TEST_CASE("parts of a surface that meet in a point keep that point") {
-  SurfaceSoup soup = soup_of(sphere(8));
-  const SurfaceSoup ball = soup;
-  const auto top = std::max_element(ball.points.begin(), ball.points.end(),
-                                    [](Vec3 a, Vec3 b) { return a.z < b.z; });
-  const Index shift = static_cast<Index>(ball.points.size());
-  for (const Vec3 p : ball.points) soup.points.push_back({p.x, p.y, 2 * top->z - p.z});
-  for (const auto& [a, b, c] : ball.triangles)
-    soup.triangles.push_back({a + shift, c + shift, b + shift});
-  const ShellOutcome outcome = meshed(soup, {.size = 0.25});
-  CHECK(outcome.report.repair.nonmanifold_vertices == 1);
-  CHECK(std::count(outcome.mesh.points.begin(), outcome.mesh.points.end(), *top) == 1);
-}
-
-TEST_CASE("a rib that ends inside a plate is an edge of both") {
-  // Straight, tilted, and on a cone whose tip is the rib's end.
-  for (const Vec3 up : {Vec3{0, 0, 1}, Vec3{0.6, 0, 0.8}}) {
-    const Vec3 along{up.z, 0, -up.x};
-    SurfaceSoup soup;
-    const std::vector<Vec3> flat{{0, 0, 0}, {10, 0, 0}, {10, 6, 0}, {0, 6, 0},
-                                 {2, 3, 0}, {8, 3, 0},  {2, 3, 2},  {8, 3, 2}};
-    for (const Vec3 p : flat) soup.points.push_back(p.x * along + Vec3{0, p.y, 0} + p.z * up);
-    soup.triangles = {{0, 1, 4}, {1, 5, 4}, {1, 2, 5}, {2, 3, 5},
-                      {3, 4, 5}, {3, 0, 4}, {4, 5, 7}, {4, 7, 6}};
-    const ShellOutcome outcome = meshed(soup, {.size = 0.4});
-    CHECK(outcome.report.faces == 2);
-    CHECK(outcome.report.quality.eta_mean > 0.95);
-    CHECK(shell_topology(outcome.mesh.faces).meeting_edges >= 15);
-  }
-  SurfaceSoup spire;
-  constexpr Index sides = 12;
-  for (int i = 0; i < sides; ++i)
-    spire.points.push_back(
-        {0.25 * std::cos(2 * pi * i / sides), 0.25 * std::sin(2 * pi * i / sides), 0});
-  spire.points.insert(spire.points.end(), {{0, 0, 1}, {0.5, 0, 1}});
-  for (Index i = 0; i < sides; ++i) spire.triangles.push_back({i, (i + 1) % sides, sides});
-  spire.triangles.push_back({0, sides, sides + 1});
-  const ShellOutcome outcome = meshed(spire, {.size = 0.06});
-  CHECK(outcome.report.quality.eta_min > 0.1);
-}
-
-TEST_CASE("sheets that meet along one edge inside them keep it as an edge of both") {
-  // Two tents that share their ridge: four triangles on it, all of one part.
-  SurfaceSoup soup;
-  soup.points = {{0, 0, 0},   {1, 0, 0},    {0.5, 1, -1}, {0.5, -1, -1},
-                 {0.5, 1, 1}, {0.5, -1, 1}, {3, 1, 0},    {3, -1, 0}};
-  soup.triangles = {{0, 1, 2}, {1, 0, 3}, {1, 0, 4}, {0, 1, 5},
-                    {1, 6, 2}, {1, 4, 6}, {1, 3, 7}, {1, 7, 5}};
-  const ShellOutcome outcome = meshed(soup, {.size = 0.15});
-  CHECK(outcome.report.repair.nonmanifold_edges == 1);
-  CHECK(shell_topology(outcome.mesh.faces).meeting_edges >= 4);
-}
-
-TEST_CASE("bodies that share a side get closed meshes, each as if it were alone") {
-  const SurfaceOptions options{.size = 0.2};
-  const ShellOutcome pair = meshed(touching_boxes(2), options);
-  const ShellOutcome alone = meshed(box_soup({1, 1, 1}, 2), options);
-  CHECK(pair.report.rounds == 1);
-  CHECK(pair.report.repair.components == 2);
-  const ShellTopology topology = shell_topology(pair.mesh.faces);
-  CHECK(topology.components == 2);
-  CHECK(topology.border_edges + topology.meeting_edges + topology.pinches == 0);
-  CHECK(topology.euler == 4);
-  REQUIRE(pair.report.bodies.size() == 2);
-  Index vertices = 0, quads = 0;
-  for (const BodyReport& body : pair.report.bodies) {
-    CHECK(body.parts == 1);
-    CHECK(body.border_edges == 0);
-    CHECK(body.triangles == 0);
-    CHECK(body.vertices == body.quads + 2);  // Euler, of a sphere
-    vertices += body.vertices;
-    quads += body.quads;
-  }
-  CHECK(vertices == static_cast<Index>(pair.mesh.points.size()));
-  CHECK(quads == pair.report.quality.quads);
-  CHECK(pair.report.bodies[0].quads == alone.report.quality.quads);
-  CHECK(pair.report.bodies[1].name == "body 2");
-  CHECK(alone.report.bodies.empty());
 }
 
 TEST_CASE("where a surface is thinner than the mesh size, the size gives way", "[slow]") {

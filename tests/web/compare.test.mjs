@@ -45,6 +45,16 @@ const both = (page) => page.waitForFunction(() => {
   return led.length === 2 && led.every(({ run }) => run.phase === 'done');
 });
 
+/** A preset in both norms, meshed: the page, and the reports of the two. */
+async function compareNorms(preset) {
+  const page = await playground.open({ hash: `#preset=${preset}` });
+  await finished(page);
+  await page.getByRole('tab', { name: 'Compare' }).click();
+  await page.getByRole('radio', { name: 'p = 2 and p = 6' }).check();
+  await both(page);
+  return { page, reports: await page.evaluate(() => globalThis.playground.led().map(({ run }) => run.result.report)) };
+}
+
 test('two meshes side by side, one clock, one view, and a table of what differs', async () => {
   const page = await playground.open();
   await finished(page);
@@ -132,12 +142,7 @@ test('a change of the drawing runs both again; meanwhile both are out of date', 
 });
 
 test('figures, fingerprint and legends are of the side that is chosen', async () => {
-  const page = await playground.open({ hash: '#preset=gear' });
-  await finished(page);
-  await page.getByRole('tab', { name: 'Compare' }).click();
-  await page.getByRole('radio', { name: 'p = 2 and p = 6' }).check();
-  await both(page);
-  const reports = await page.evaluate(() => globalThis.playground.led().map(({ run }) => run.result.report));
+  const { page, reports } = await compareNorms('gear');
   const hashes = reports.map(({ hash }) => hash);
   assert.ok(!hashes.includes(await page.evaluate(() => globalThis.playground.runner.run.result?.report.hash)));
   for (const [at, name] of [[1, 'B: p = 6'], [0, 'A: p = 2']]) {
@@ -158,12 +163,7 @@ test('figures, fingerprint and legends are of the side that is chosen', async ()
 });
 
 test('what leaves the page is of the side that is chosen, and says so', async () => {
-  const page = await playground.open({ hash: '#preset=square' });
-  await finished(page);
-  await page.getByRole('tab', { name: 'Compare' }).click();
-  await page.getByRole('radio', { name: 'p = 2 and p = 6' }).check();
-  await both(page);
-  const reports = await page.evaluate(() => globalThis.playground.led().map(({ run }) => run.result.report));
+  const { page, reports } = await compareNorms('square');
   assert.notEqual(reports[0].hash, reports[1].hash);
   await page.getByRole('tab', { name: 'Files' }).click();
   const panel = page.locator('#panel-files');

@@ -1,6 +1,7 @@
 // See msh_parse.h.
 #include "io/mesh/msh_parse.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <utility>
 

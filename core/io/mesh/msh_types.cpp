@@ -1,7 +1,7 @@
 // See msh_types.h.
 #include "io/mesh/msh_types.h"
 
-#include <string_view>
+#include <string>
 
 namespace lpq {
 namespace {
@@ -9,39 +9,44 @@ namespace {
 constexpr std::int64_t type_line = 1, type_triangle = 2, type_point = 15;
 constexpr std::int64_t type_triangle_6 = 9, type_quad_9 = 10, type_quad_8 = 16;
 
-struct TypeName {
+struct Kind {
   std::int64_t from, to;  // numbers of types
-  const char* what;
+  int dimension, order;   // of third order and more: 3
+  const char* name;
 };
 
-/// Kinds that are not read, or in space alone (Gmsh reference manual, "MSH file format").
-constexpr TypeName other_types[] = {{4, 4, "a tetrahedron"},
-                                    {5, 5, "a hexahedron"},
-                                    {6, 6, "a prism"},
-                                    {7, 7, "a pyramid"},
-                                    {8, 8, "a line of second order"},
-                                    {9, 9, "a triangle of second order"},
-                                    {10, 10, "a quad of second order"},
-                                    {11, 14, "a volume of second order"},
-                                    {16, 16, "a quad of second order"},
-                                    {17, 19, "a volume of second order"},
-                                    {20, 25, "a face of higher order"},
-                                    {26, 28, "a line of higher order"},
-                                    {29, 31, "a volume of higher order"},
-                                    {36, 51, "a face of higher order"},
-                                    {71, 93, "a volume of higher order"}};
+/// Kinds that are not read, or in space alone.
+constexpr Kind other_kinds[] = {{4, 4, 3, 1, "a tetrahedron"},
+                                {5, 5, 3, 1, "a hexahedron"},
+                                {6, 6, 3, 1, "a prism"},
+                                {7, 7, 3, 1, "a pyramid"},
+                                {8, 8, 1, 2, "a line of second order"},
+                                {9, 9, 2, 2, "a triangle of second order"},
+                                {10, 10, 2, 2, "a quad of second order"},
+                                {11, 14, 3, 2, "a volume of second order"},
+                                {16, 16, 2, 2, "a quad of second order"},
+                                {17, 19, 3, 2, "a volume of second order"},
+                                {20, 25, 2, 3, "a face of higher order"},
+                                {26, 28, 1, 3, "a line of higher order"},
+                                {29, 31, 3, 3, "a volume of higher order"},
+                                {36, 51, 2, 3, "a face of higher order"},
+                                {71, 93, 3, 3, "a volume of higher order"}};
+
+Kind kind_of(std::int64_t type) {
+  for (const Kind& kind : other_kinds)
+    if (kind.from <= type && type <= kind.to) return kind;
+  return {type, type, 0, 0, "of an unknown kind"};
+}
 
 }  // namespace
 
-const char* msh_type_name(std::int64_t type) {
-  for (const TypeName& one : other_types)
-    if (one.from <= type && type <= one.to) return one.what;
-  return "of an unknown kind";
-}
+const char* msh_type_name(std::int64_t type) { return kind_of(type).name; }
 
-bool is_msh_volume(std::int64_t type) {
-  return (type >= 4 && type <= 7) ||
-         std::string_view(msh_type_name(type)).substr(0, 8) == "a volume";
+bool is_msh_volume(std::int64_t type) { return kind_of(type).dimension == 3; }
+
+bool is_msh_high_face(std::int64_t type) {
+  const Kind kind = kind_of(type);
+  return kind.dimension == 2 && kind.order == 3;
 }
 
 int msh_corners(std::int64_t type, MeshScope scope) {
@@ -55,10 +60,6 @@ int msh_corners(std::int64_t type, MeshScope scope) {
     case type_quad_9: return scope == MeshScope::space ? 4 : 0;
     default: return 0;
   }
-}
-
-bool is_msh_high_face(std::int64_t type) {
-  return std::string_view(msh_type_name(type)).substr(0, 6) == "a face";
 }
 
 Error error_of_no_face(const MshContent& content) {
