@@ -9,9 +9,6 @@
 namespace lpq {
 namespace {
 
-// Hollow bends: three vertices in a row that turn away by so much each, in radians. Two quads at
-// the middle one have at most 122 degrees then, three at least 71.
-constexpr double least_bend = 33 * pi / 180, most_bend = 64 * pi / 180;
 constexpr double weight_of_other = 0.5;
 
 // Faces of v from f on, counter-clockwise until a border edge or the start again.
@@ -95,7 +92,7 @@ IdealValence::IdealValence(const QuadTopology& mesh) {
 
 void IdealValence::find_hollow_bends(const QuadTopology& mesh, std::span<const double> angle) {
   const auto bends = [&](Index v) {
-    return v < sectors_.rows() && angle[v] >= pi + least_bend && angle[v] <= pi + most_bend;
+    return v < sectors_.rows() && is_hollow_bend(angle[v]);
   };
   for (Index v = 0; v < sectors_.rows(); ++v) {
     if (!bends(v)) continue;

@@ -10,4 +10,9 @@ Index ideal_quads(double angle) {
   return k;
 }
 
+bool is_hollow_bend(double angle) {
+  constexpr double least_bend = 33 * pi / 180, most_bend = 64 * pi / 180;
+  return angle >= pi + least_bend && angle <= pi + most_bend;
+}
+
 }  // namespace lpq

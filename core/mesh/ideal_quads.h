@@ -10,4 +10,7 @@ namespace lpq {
 /// ratio, as k + 1 do: switches at 120, 216, 308.6 degrees.
 Index ideal_quads(double angle);
 
+/// An angle of a hollow bend: two quads have at most 122 degrees there, three at least 71.
+bool is_hollow_bend(double angle);
+
 }  // namespace lpq

@@ -1,5 +1,5 @@
 // The planar chain in one chart with the surface's field; against it, where the map keeps lengths,
-// a plain grid as far as the border allows, and the chain with a field of its own if no cut borders
+// a plain grid as far as the border allows, and the chain with fields of its own if no cut borders
 // the chart. The best mesh is kept.
 #pragma once
 
@@ -14,8 +14,14 @@
 
 namespace lpq {
 
+/// Of a mesh in the plane: less is better.
+struct MeshCost {
+  double whole = 0, irregularity = 0;  // the second is a part of the first (IdealValence)
+};
+
 /// Stays where it is made: the mesher asks the fields while it runs. `charted` must outlive it; the
-/// chart's border gets `nodes`. Cost: that of the planar chain, twice where it begins again.
+/// chart's border gets `nodes`. Cost: that of the planar chain, up to six times where it begins
+/// again.
 class ChartRun {
  public:
   ChartRun(const Charted& charted, const CurveNodes& nodes, Index chart);
@@ -34,12 +40,10 @@ class ChartRun {
   const Mesher* mesher() const { return mesher_ ? &*mesher_ : nullptr; }
 
  private:
-  /// Large triangles know one direction each; the chain's own background follows the border.
-  enum class Field { surface, own };
-
   std::optional<Error> advance(const Options& options);
   bool keep_better(const QuadMesh& quads, OutputMesh output);
   bool take_grid(const Options& options);
+  bool may_gain(bool took_grid) const;
   bool begin_again(const Options& options);
 
   const Chart& chart_;
@@ -48,10 +52,12 @@ class ChartRun {
   std::uint64_t key_ = 0;
   bool isometric_ = false;   // but for a factor
   bool whole_face_ = false;  // no cut borders it
-  Field field_ = Field::surface;
+  // With fields of the chain's own: large triangles know one direction each, its background follows
+  // the border.
+  std::size_t tries_ = 0;
   std::optional<Mesher> mesher_;
   std::optional<OutputMesh> best_;
-  double cost_ = 0;  // of the best
+  MeshCost cost_;  // of the best
 };
 
 }  // namespace lpq

@@ -1,0 +1,90 @@
+// See lattice.h.
+#include "shell/grids/lattice.h"
+
+#include <algorithm>
+#include <array>
+
+namespace lpq {
+namespace {
+
+class Lattice {
+ public:
+  Lattice(LatticePlace low, LatticePlace high)
+      : low_(low), width_(high.x - low.x + 1), height_(high.y - low.y + 1) {
+    vertex_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), none);
+    rises_.assign(vertex_.size(), 0);
+  }
+
+  bool lay(const LatticeLoop& loop) {
+    const std::size_t n = loop.nodes.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const LatticePlace p = loop.places[k] - low_, q = loop.places[(k + 1) % n] - low_;
+      if (vertex_[at(p)] != none) return false;
+      vertex_[at(p)] = loop.nodes[k];
+      if (q.y > p.y) ++rises_[at(p)];
+      if (q.y < p.y) --rises_[at(q)];
+    }
+    return true;
+  }
+
+  std::optional<LatticeQuads> fill(Index node_count) {
+    LatticeQuads quads;
+    for (Index y = 0; y + 1 < height_; ++y) {
+      // From right to left: into the domain across every line that rises, out across one that
+      // falls.
+      int winding = 0;
+      for (Index x = width_ - 1; x > 0; --x) {
+        winding += rises_[at({x, y})];
+        if (winding < 0 || winding > 1) return std::nullopt;
+        if (winding == 1) add({x - 1, y}, node_count, quads);
+      }
+    }
+    return quads;
+  }
+
+ private:
+  std::size_t at(LatticePlace p) const {
+    return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(p.x);
+  }
+
+  void add(LatticePlace low, Index node_count, LatticeQuads& quads) {
+    constexpr std::array<LatticePlace, 4> corners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    Face face;
+    for (std::size_t k = 0; k < 4; ++k) {
+      Index& v = vertex_[at(low + corners[k])];
+      if (v == none) v = node_count + quads.inside++;
+      face[k] = v;
+    }
+    quads.faces.push_back(face);
+  }
+
+  LatticePlace low_;
+  Index width_, height_;
+  std::vector<Index> vertex_;  // at each place
+  std::vector<int> rises_;     // lines up from each place less lines down to it
+};
+
+}  // namespace
+
+LatticePlace lattice_step(Index direction) {
+  constexpr std::array<LatticePlace, 4> steps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+  return steps[static_cast<std::size_t>(direction & 3)];
+}
+
+std::optional<LatticeQuads> lattice_quads(const std::vector<LatticeLoop>& loops, Index node_count,
+                                          double most) {
+  LatticePlace low = loops[0].places[0], high = low;
+  for (const LatticeLoop& loop : loops)
+    for (const LatticePlace p : loop.places) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  if ((high.x - low.x + 1.0) * (high.y - low.y + 1.0) > most) return std::nullopt;
+  Lattice lattice(low, high);
+  for (const LatticeLoop& loop : loops)
+    if (!lattice.lay(loop)) return std::nullopt;
+  return lattice.fill(node_count);
+}
+
+}  // namespace lpq

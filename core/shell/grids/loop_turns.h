@@ -1,0 +1,21 @@
+// Which way the edges of a border run on a lattice: where it turns, such that it comes back.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/index.h"
+#include "geometry/vec.h"
+
+namespace lpq {
+
+/// Directions (lattice_step) of the edges of a simple polygon, the domain on its left, edge k from
+/// points[k] to points[k + 1]: the line closes on the lattice and turns once in all, as it does in
+/// the plane. Of such ways the one whose quads at the nodes cost least (IdealValence): one quad at
+/// a turn to the left, two straight on, three at a turn to the right; among equals the one whose
+/// edges keep nearest to their directions in the plane. `axis`: direction 0 there, radians. Empty
+/// if no way near the cheapest one closes, or if the polygon has more than 4000 edges. Cost
+/// O(#points), times up to 5000 where the cheapest way does not close.
+std::vector<Index> loop_turns(std::span<const Vec2> points, double axis);
+
+}  // namespace lpq
