@@ -161,11 +161,13 @@ test('a shape that a compound lists again is read once', async () => {
 
 test('a BREP compound with a solid, its shell and its faces has them once', needsOcct, async () => {
   const once = readFileSync(path('tests/fixtures/cad/box_and_cylinder.brep'), 'utf8');
-  const all = '+15 0 +2 0 *', faces = [39, 29, 25, 21, 19, 17, 8, 6, 4].map((n, k) => `${'+-'[k % 2]}${n} 0`).join(' ');
+  const all = '+15 0 +2 0 *';
+  const faces = [39, 29, 25, 21, 19, 17, 8, 6, 4].map((n, k) => `${'+-'[k % 2]}${n} 0`).join(' ');
   assert.ok(once.includes(all));
   const expected = await readCad(once, { format: 'brep' });
   assert.equal(expected.bodyNames.length, 2);
-  for (const list of [`+15 0 ${all}`, `+15 0 +2 0 +16 0 +3 0 *`, `+15 0 +2 0 ${faces} *`, `+15 0 +16 0 ${faces} +2 0 *`])
+  for (const list of [`+15 0 ${all}`, '+15 0 +2 0 +16 0 +3 0 *', `+15 0 +2 0 ${faces} *`,
+    `+15 0 +16 0 ${faces} +2 0 *`])
     assert.deepEqual(await readCad(once.replace(all, list), { format: 'brep' }), expected, list);
   const loose = await readCad(once.replace(all, `${faces} ${faces} *`), { format: 'brep' });
   assert.equal(loose.triangles.length, expected.triangles.length);
@@ -185,7 +187,8 @@ ${names.map((name, k) => `#${30 + 10 * k}=PRODUCT('part ${k}','part ${k}','',(#2
 #${34 + 10 * k}=APPLIED_EXTERNAL_IDENTIFICATION_ASSIGNMENT( '${name}',#23,#24,(#${33 + 10 * k}));
 #${35 + 10 * k}=APPLIED_DOCUMENT_REFERENCE(#${33 + 10 * k},'',(#${32 + 10 * k}));`).join('\n')}
 ENDSEC;\nEND-ISO`);
-  const sentence = async (...names) => (await rejectionOf('EMPTY', readCad(references(...names), { format: 'step' }))).message;
+  const sentence = async (...names) =>
+    (await rejectionOf('EMPTY', readCad(references(...names), { format: 'step' }))).message;
   assert.match(await sentence('bolt.stp', 'as1\\nut.stp'), /parts are in other files: bolt\.stp, nut\.stp\. Give/);
   assert.match(await sentence('a.stp', 'b.stp', 'c.stp', 'd.stp', 'e.stp'), /: a\.stp, b\.stp, c\.stp and 2 more\. /);
   await rejectionOf('EMPTY', readCad('', { format: 'step', occt: fakeOcct([]) }));
