@@ -4,7 +4,12 @@
 
 #include "cli/cli.h"
 
-#ifdef _WIN32
+#ifdef __EMSCRIPTEN__
+#include <emscripten.h>
+// Emscripten's own isatty says yes to every standard stream.
+EM_JS(bool, lpq_is_terminal, (int descriptor), { return require("tty").isatty(descriptor); });
+static bool is_terminal(std::FILE* file) { return lpq_is_terminal(fileno(file)); }
+#elif defined(_WIN32)
 #include <io.h>
 static bool is_terminal(std::FILE* file) { return _isatty(_fileno(file)) != 0; }
 #else

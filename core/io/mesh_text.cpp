@@ -28,6 +28,12 @@ std::string_view LineReader::next() {
   return line;
 }
 
+std::string_view LineReader::next_bytes(std::size_t count) {
+  start_ = next_;
+  next_ += count;
+  return text_.substr(start_, count);
+}
+
 Error LineReader::error(std::string message) const {
   Error error{ErrorCode::parse_error, std::move(message), {}};
   error.where.line = line_;

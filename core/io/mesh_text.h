@@ -21,6 +21,10 @@ class LineReader {
   bool at_end() const { return next_ >= text_.size(); }
   /// The next line; empty at the end of the text.
   std::string_view next();
+  /// The next bytes as they are, whose number is not greater than that of those left; next() then
+  /// goes on behind them, and its lines are counted as if there were no line in them.
+  std::string_view next_bytes(std::size_t count);
+  std::size_t bytes_left() const { return text_.size() - next_; }
   /// Of the line read last: its number from 1, and its first byte.
   std::int64_t line() const { return line_; }
   std::int64_t byte() const { return static_cast<std::int64_t>(start_); }

@@ -5,6 +5,7 @@
 #include "cli/args.h"
 #include "support/cli_runner.h"
 #include "support/contains.h"
+#include "support/msh_bytes.h"
 
 using lpq_test::contains;
 using lpq_test::file_text;
@@ -70,6 +71,32 @@ TEST_CASE("meshes of surfaces are surfaces again") {
   CHECK(run({"mesh", folder / "again.ply", "-o", folder / "last.obj", "--size", "0.5"}).code == 0);
   CHECK(run({"mesh", folder / "last.obj", "-o", folder / "more/", "--size", "0.5"}).code == 0);
   CHECK(file_text(folder / "more/last.obj").size() > 100);
+}
+
+TEST_CASE("binary .msh files are meshed and checked as their texts are") {
+  const ScratchFolder folder("surface_msh_bytes");
+  const std::string box = folder.write("box.stl", box_stl());
+  for (const char* version : {"2.2", "4.1"}) {
+    INFO(version);
+    const std::string text = folder / "text.msh", again = folder / "again.obj";
+    REQUIRE(run({"mesh", box, "-o", text, "--size", "0.5", "--msh-version", version}).code == 0);
+    const std::string bytes = folder.write("bytes.msh", lpq_test::msh_bytes(file_text(text)));
+    REQUIRE(run({"mesh", text, "-o", again, "--size", "0.5"}).code == 0);
+    const std::string expected = file_text(again);
+    REQUIRE(run({"mesh", bytes, "-o", again, "--size", "0.5"}).code == 0);
+    CHECK(file_text(again) == expected);
+    const auto checked = run({"check", bytes, "--surface", box});
+    CHECK(checked.code == 0);
+    CHECK(contains(checked.out, "quads 40, triangles 0"));
+    CHECK(run({"convert", bytes, "-o", folder / "triangles.obj"}).code == 0);
+
+    const std::string plane = folder / "plane.msh";
+    REQUIRE(run({"mesh", domains + "/square.json", "-o", plane, "--msh-version", version}).code ==
+            0);
+    const std::string flat = folder.write("flat.msh", lpq_test::msh_bytes(file_text(plane)));
+    CHECK(run({"check", flat, "--domain", domains + "/square.json"}).code == 0);
+    CHECK(run({"mesh", flat, "-o", folder / "flat.obj", "--keep-boundary"}).code == 0);
+  }
 }
 
 TEST_CASE("the report of a surface counts repairs and repeats itself") {

@@ -222,7 +222,7 @@ TEST_CASE("MSH: lines inside, holes in the mesh, turned faces, faces that overla
             .where.has_point);
   CHECK(refusal(head + nodes + "$Elements\n0\n$EndElements\n", DomainFormat::msh).code ==
         ErrorCode::empty);
-  for (const char* format : {"2.2 1 8", "4 0 8", "4.1 1 8", "3.0 0 8"})
+  for (const char* format : {"2.2 1 8", "4.2 0 8", "4.1 1 8", "4 1 8", "3.0 0 8"})
     CHECK(refusal(std::string("$MeshFormat\n") + format + "\n$EndMeshFormat\n", DomainFormat::msh)
               .where.line == 2);
 }

@@ -113,6 +113,90 @@ test('a STEP file is read by the installed package', needsOcct, async () => {
   await rejectionOf('PARSE_ERROR', readCad('no STEP file', { format: 'step' }));
 });
 
+/** What occt-import-js gives for a box: four points and two triangles a face; `turned` faces are turned over. */
+function boxMesh([x, y, z], numbers = [0, 1, 2, 3, 4, 5], turned = false) {
+  const mesh = { name: '', brep_faces: [], attributes: { position: { array: [] } }, index: { array: [] } };
+  const corners = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+  numbers.forEach((number, k) => {
+    for (const n of corners[number])
+      mesh.attributes.position.array.push(x + (n & 1), y + (n >> 1 & 1), z + (n >> 2));
+    for (const n of turned ? [0, 2, 1, 0, 3, 2] : [0, 1, 2, 0, 2, 3]) mesh.index.array.push(4 * k + n);
+    mesh.brep_faces.push({ first: 2 * k, last: 2 * k + 1 });
+  });
+  return mesh;
+}
+
+const joined = (...meshes) => meshes.reduce((sum, { brep_faces: faces, attributes, index }) => {
+  const points = sum.attributes.position.array.length / 3, triangles = sum.index.array.length / 3;
+  return { name: '', attributes: { position: { array: [...sum.attributes.position.array, ...attributes.position.array] } },
+    index: { array: [...sum.index.array, ...index.array.map((v) => v + points)] },
+    brep_faces: [...sum.brep_faces,
+      ...faces.map(({ first, last }) => ({ first: first + triangles, last: last + triangles }))] };
+});
+
+test('a shape that a compound lists again is read once', async () => {
+  const read = async (...meshes) => {
+    const occt = { ReadBrepFile: () => ({ success: true, meshes }) };
+    const { triangles, points, bodyNames } = await readCad('', { format: 'brep', occt });
+    assert.ok(Math.max(...triangles) < points.length / 3);
+    return [triangles.length / 3, bodyNames.length];
+  };
+  const box = boxMesh([0, 0, 0]), far = boxMesh([5, 0, 0]), sheet = boxMesh([9, 0, 0], [0]);
+  assert.deepEqual(await read(box, far, box), [24, 2]);
+  assert.deepEqual(await read(box, far, boxMesh([0, 0, 0], [4, 2, 0, 1, 3, 5])), [24, 2]);
+  // Faces beside their solid, some of them turned over, some not of one.
+  assert.deepEqual(await read(box, boxMesh([0, 0, 0], [1, 3], true)), [12, 1]);
+  assert.deepEqual(await read(box, joined(boxMesh([0, 0, 0], [1, 2, 3]), boxMesh([0, 0, 0], [0, 4, 5], true))), [12, 1]);
+  assert.deepEqual(await read(box, joined(boxMesh([0, 0, 0], [1, 3], true), sheet)), [14, 2]);
+  assert.deepEqual(await read(box, joined(box, far)), [24, 2]);
+  assert.deepEqual(await read(joined(sheet, sheet)), [2, 1]);
+  assert.deepEqual(await read(joined(box, box)), [12, 1]);
+  // Not the same: what touches with a face, what fills a hole, what is longer and has one face in common.
+  assert.deepEqual(await read(box, boxMesh([1, 0, 0])), [24, 2]);
+  assert.deepEqual(await read(box, boxMesh([0, 0, 0], undefined, true)), [24, 2]);
+  const longer = boxMesh([0, 0, 0]);
+  longer.attributes.position.array = longer.attributes.position.array.map((c, i) => (i % 3 === 1 ? 2 * c : c));
+  assert.deepEqual(await read(box, longer), [24, 2]);
+});
+
+test('a BREP compound with a solid, its shell and its faces has them once', needsOcct, async () => {
+  const once = readFileSync(path('tests/fixtures/cad/box_and_cylinder.brep'), 'utf8');
+  const all = '+15 0 +2 0 *';
+  const faces = [39, 29, 25, 21, 19, 17, 8, 6, 4].map((n, k) => `${'+-'[k % 2]}${n} 0`).join(' ');
+  assert.ok(once.includes(all));
+  const expected = await readCad(once, { format: 'brep' });
+  assert.equal(expected.bodyNames.length, 2);
+  for (const list of [`+15 0 ${all}`, '+15 0 +2 0 +16 0 +3 0 *', `+15 0 +2 0 ${faces} *`,
+    `+15 0 +16 0 ${faces} +2 0 *`])
+    assert.deepEqual(await readCad(once.replace(all, list), { format: 'brep' }), expected, list);
+  const loose = await readCad(once.replace(all, `${faces} ${faces} *`), { format: 'brep' });
+  assert.equal(loose.triangles.length, expected.triangles.length);
+});
+
+test('an assembly whose parts are in other files is told as one', needsOcct, async () => {
+  const references = (...names) => stepBoxes([]).replace('\nENDSEC;\nEND-ISO', `
+#20=PRODUCT_CONTEXT('',#1,'mechanical');
+#21=PRODUCT_DEFINITION_CONTEXT('part definition',#1,'design');
+#22=DOCUMENT_TYPE('geometry');
+#23=IDENTIFICATION_ROLE('external document id and location',$);
+#24=EXTERNAL_SOURCE(IDENTIFIER(''));
+${names.map((name, k) => `#${30 + 10 * k}=PRODUCT('part ${k}','part ${k}','',(#20));
+#${31 + 10 * k}=PRODUCT_DEFINITION_FORMATION('','',#${30 + 10 * k});
+#${32 + 10 * k}=PRODUCT_DEFINITION('design','',#${31 + 10 * k},#21);
+#${33 + 10 * k}=DOCUMENT_FILE('${name}','','',#22,'',$) ;
+#${34 + 10 * k}=APPLIED_EXTERNAL_IDENTIFICATION_ASSIGNMENT( '${name}',#23,#24,(#${33 + 10 * k}));
+#${35 + 10 * k}=APPLIED_DOCUMENT_REFERENCE(#${33 + 10 * k},'',(#${32 + 10 * k}));`).join('\n')}
+ENDSEC;\nEND-ISO`);
+  const sentence = async (...names) =>
+    (await rejectionOf('EMPTY', readCad(references(...names), { format: 'step' }))).message;
+  assert.match(await sentence('bolt.stp', 'as1\\nut.stp'), /parts are in other files: bolt\.stp, nut\.stp\. Give/);
+  assert.match(await sentence('a.stp', 'b.stp', 'c.stp', 'd.stp', 'e.stp'), /: a\.stp, b\.stp, c\.stp and 2 more\. /);
+  await rejectionOf('EMPTY', readCad('', { format: 'step', occt: fakeOcct([]) }));
+  const { status, stderr } = lpquad('mesh', file('as1.stp', references('rod.stp')), '-o', join(scratch, 'x.obj'));
+  assert.equal(status, 3);
+  assert.match(stderr, /an assembly whose parts are in other files: rod\.stp/);
+});
+
 test('npx lpquad meshes a STEP file, its faces kept', needsOcct, () => {
   const part = file('boxes.step', boxes);
   const mesh = join(scratch, 'boxes.obj');

@@ -56,7 +56,8 @@ export function isCadFile(name: string): boolean;
 /**
  * Reads a STEP, IGES or BREP file with the package occt-import-js (LGPL-2.1), which is not part of
  * lpquad: `npm install occt-import-js`. Throws LpquadError: IO_ERROR without the package,
- * BAD_OPTION for an unknown format, PARSE_ERROR for a broken file, EMPTY without faces.
+ * BAD_OPTION for an unknown format, PARSE_ERROR for a broken file, EMPTY without faces, which an
+ * assembly has none of if its parts are in other files. What a compound lists again is read once.
  */
 export function readCad(source: Uint8Array | ArrayBuffer | string, options?: CadOptions): Promise<CadSurface>;
 

@@ -1,5 +1,6 @@
 // STEP, IGES and BREP files as triangles, by occt-import-js (LGPL-2.1): a package of its own that the
 // user installs and that is loaded only here.
+import { withoutRepeats } from './cad_repeats.js';
 import { LpquadError } from './errors.js';
 
 const kinds = {
@@ -54,10 +55,23 @@ function imported(occt, bytes, format, options) {
   } catch (cause) {
     result = { success: false, cause };
   }
+  const meshes = result?.success ? result.meshes.filter((mesh) => mesh.index.array.length > 0) : [];
+  if (format === 'step' && meshes.length === 0) refuseReferences(bytes);
   if (!result?.success)
     throw new LpquadError('PARSE_ERROR', `The file cannot be read as ${format.toUpperCase()}.`, {},
       { cause: result?.cause });
-  return result.meshes.filter((mesh) => mesh.index.array.length > 0);
+  return withoutRepeats(meshes);
+}
+
+/** An assembly whose parts are in files of their own. */
+function refuseReferences(bytes) {
+  const text = new TextDecoder('latin1').decode(bytes), references =
+    /\b(?:DOCUMENT_FILE|APPLIED_EXTERNAL_IDENTIFICATION_ASSIGNMENT)\s*\(\s*'([^']*\.[^'.]+)'/g;
+  const names = [...new Set(Array.from(text.matchAll(references), ([, name]) => name.split(/[\\/]/).at(-1)))];
+  if (names.length === 0) return;
+  const some = names.slice(0, 3).join(', ') + (names.length > 3 ? ` and ${names.length - 3} more` : '');
+  throw new LpquadError('EMPTY', 'There is no shape in this file, an assembly whose parts are in other files: ' +
+    `${some}. Give these one by one, or save the assembly with its parts in one file.`);
 }
 
 /** Each name once: "bolt", "bolt 2", … */
@@ -95,27 +109,11 @@ function addBody(surface, body, mesh, at) {
   at.triangle += array.length / 3;
 }
 
-/** Whether every edge has two triangles, where equal points are one. */
-function isClosed({ index: { array }, attributes: { position: { array: p } } }) {
-  const numbers = new Map(), count = new Map();
-  const pointOf = (v) => {
-    const key = [p[3 * v], p[3 * v + 1], p[3 * v + 2]].join();
-    if (!numbers.has(key)) numbers.set(key, numbers.size);
-    return numbers.get(key);
-  };
-  for (let i = 0; i < array.length; ++i) {
-    const [a, b] = [pointOf(array[i]), pointOf(array[i % 3 === 2 ? i - 2 : i + 1])];
-    const edge = Math.min(a, b) * 2 ** 26 + Math.max(a, b);
-    if (a !== b) count.set(edge, (count.get(edge) ?? 0) + 1);
-  }
-  return [...count.values()].every((triangles) => triangles > 1);
-}
-
 /** Bodies that touch stay apart; loose sheets are one body, so that those that belong together are joined. */
 function numberBodies(surface, meshes, names) {
   let next = 0, sheets = -1;
   meshes.forEach((mesh, number) => {
-    const closed = isClosed(mesh), count = mesh.index.array.length / 3;
+    const { closed } = mesh, count = mesh.index.array.length / 3;
     const body = !closed && sheets >= 0 ? sheets : surface.bodyNames.push(names[number]) - 1;
     if (!closed) sheets = body;
     surface.bodies.fill(body, next, next += count);

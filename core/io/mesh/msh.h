@@ -1,4 +1,5 @@
-// Gmsh's MSH file format, versions 4.1 and 2.2, ASCII (Gmsh reference manual, "MSH file format").
+// Gmsh's MSH file format (Gmsh reference manual, "MSH file format"); written are versions 4.1 and
+// 2.2, ASCII.
 // Regions become physical surfaces; the 1D mesh is written as line elements, one curve for each
 // run of edges with equal regions, tag and loop, and one physical curve for each name; tagged
 // points become point elements with physical names.
@@ -22,11 +23,11 @@ struct ChoiceNames<MshVersion> {
 
 std::string write_msh(const OutputMesh& mesh, MshVersion version = MshVersion::v4_1);
 
-/// Reads nodes, points, lines, triangles and quads with their physical names, versions 2.0 - 2.2
-/// and 4.1, ASCII. Nodes that no face uses are dropped. Elements of other kinds (also second order)
-/// are an error: they would be silently left out. Memory is bounded by the size of the text,
-/// whatever counts it claims. In space any height is taken, and elements of second order are their
-/// corners. Errors: parse_error with line and byte.
+/// Reads nodes, points, lines, triangles and quads with their physical names, versions 2.0 - 2.2,
+/// 4.0 and 4.1, ASCII or binary. Nodes that no face uses are dropped. Elements of other kinds (also
+/// second order) are an error: they would be silently left out. Memory is bounded by the size of
+/// the file, whatever counts it claims. In space any height is taken, and elements of second order
+/// are their corners. Errors: parse_error with byte, and of ASCII with line.
 Result<OutputMesh> read_msh(std::string_view text, MeshScope scope = MeshScope::plane);
 
 /// The same without its last two steps: a file of lines alone is good, and every node is kept.

@@ -5,19 +5,23 @@
 #include <cstdlib>
 #include <utility>
 
+#include "io/mesh/msh_rows.h"
 #include "io/mesh/msh_types.h"
-#include "io/mesh_text.h"
 #include "io/number.h"
 
 namespace lpq {
 namespace {
 
+/// The versions by what their rows hold; 4.0 is all but forgotten, and is 4.1 in another order.
+enum class Rows { none, v2, v4_0, v4_1 };
+
 class MshParser {
  public:
-  MshParser(std::string_view text, MeshScope scope) : lines_(text), scope_(scope) {}
+  MshParser(std::string_view text, MeshScope scope) : rows_(text), scope_(scope) {}
 
   Result<MshContent> parse() {
-    if (!read()) return error_;
+    if (!read()) return rows_.error();
+    content_.binary = rows_.is_binary();
     return std::move(content_);
   }
 
@@ -41,125 +45,78 @@ class MshParser {
 
  private:
   bool read() {
-    while (!lines_.at_end() && !failed_) {
-      words_.split(lines_.next());
-      if (words_.size() > 0) read_section(words_[0]);
-    }
-    if (!failed_ && version_ == 0) fail("'$MeshFormat' was expected.");
-    if (!failed_) sort_nodes();
-    return !failed_;
+    while (rows_.next_section()) read_section(rows_.section());
+    if (version_ == Rows::none) rows_.fail("'$MeshFormat' was expected.");
+    if (!rows_.failed()) sort_nodes();
+    return !rows_.failed();
   }
 
-  /// In the last line of a file that ends within a section, what is wrong is the end.
-  void fail(std::string message) {
-    if (failed_) return;
-    failed_ = true;
-    if (!section_.empty() && lines_.at_end())
-      message +=
-          " It is the last line, and '$End" + section_ + "' does not follow: the file was cut off.";
-    error_ = lines_.error(std::move(message));
-  }
-
-  void read_section(std::string_view name) {
-    if (name[0] != '$' || name.substr(0, 4) == "$End")
-      return fail("A section '$...' was expected.");
-    const std::string section(name);
-    section_ = section.substr(1);
-    if (version_ == 0 && section != "$MeshFormat") return fail("'$MeshFormat' must come first.");
-    if (section == "$MeshFormat") {
+  void read_section(const std::string& name) {
+    if (version_ == Rows::none && name != "MeshFormat")
+      return rows_.fail("'$MeshFormat' must come first.");
+    if (name == "MeshFormat") {
       read_format();
-    } else if (section == "$PhysicalNames") {
+    } else if (name == "PhysicalNames") {
       read_names();
-    } else if (section == "$Entities") {
+    } else if (name == "Entities") {
       read_entities();
-    } else if (section == "$Nodes") {
-      version_ == 4 ? read_blocks(&MshParser::read_node_block) : read_nodes_2();
-    } else if (section == "$Elements") {
-      version_ == 4 ? read_blocks(&MshParser::read_element_block) : read_elements_2();
+    } else if (name == "ParametricNodes" && version_ == Rows::v2) {
+      read_nodes_2();
+    } else if (name == "Nodes") {
+      version_ == Rows::v2 ? read_nodes_2() : read_blocks(&MshParser::read_node_block);
+    } else if (name == "Elements") {
+      version_ == Rows::v2 ? read_elements_2() : read_blocks(&MshParser::read_element_block);
     } else {
-      return skip_to_end();
+      return rows_.skip_section();
     }
-    if (failed_) return;
-    words_.split(next_line());
-    const bool ended = words_.size() == 1 && words_[0] == "$End" + section_;
-    const std::string expected = "'$End" + section_ + "' was expected.";
-    section_.clear();
-    if (!ended) fail(expected);
+    rows_.end_section();
   }
 
-  std::string_view next_line() {
-    if (lines_.at_end()) {
-      const std::string section = std::exchange(section_, {});
-      fail("The file ends inside its section $" + section + ", before '$End" + section +
-           "': it was cut off.");
-      return {};
-    }
-    return lines_.next();
-  }
-
-  void skip_to_end() {
-    const std::string end = "$End" + section_;
-    while (!failed_) {
-      words_.split(next_line());
-      if (words_.size() != 1 || words_[0] != end) continue;
-      section_.clear();
-      return;
-    }
-  }
-
-  /// The next line as at least `count` integers.
-  bool read_integers(std::size_t count) {
-    words_.split(next_line());
-    integers_.clear();
-    for (std::size_t i = 0; i < words_.size() && !failed_; ++i) {
-      std::int64_t value = 0;
-      if (!parse_integer(words_[i], value)) {
-        fail("'" + std::string(words_[i].substr(0, 40)) + "' is not an integer.");
-      }
-      integers_.push_back(value);
-    }
-    if (!failed_ && integers_.size() < count) fail("The line has too few numbers.");
-    return !failed_;
-  }
-
-  /// words_[at ..] as x y z.
-  void read_point(std::size_t at, Vec3& p) {
-    if (words_.size() < at + 3 || !parse_number(words_[at], p.x) ||
-        !parse_number(words_[at + 1], p.y) || !parse_number(words_[at + 2], p.z)) {
-      return fail("A node needs three finite coordinates.");
-    }
+  void read_point(Vec3& p) {
+    if (!rows_.read_real(p.x) || !rows_.read_real(p.y) || !rows_.read_real(p.z))
+      return rows_.fail("A node needs three finite coordinates.");
     if (p.z != 0 && scope_ == MeshScope::plane)
-      fail("A node has z other than 0, but the mesh is read as one in the plane z = 0.");
+      rows_.fail("A node has z other than 0, but the mesh is read as one in the plane z = 0.");
   }
 
   void read_format() {
-    words_.split(next_line());
+    Words words;
+    words.split(rows_.next_line());
     double version = 0;
-    if (words_.size() < 3 || !parse_number(words_[0], version)) {
-      return fail("'$MeshFormat' needs version, file type and data size.");
-    }
-    if (words_[1] != "0")
-      return fail("Binary .msh files cannot be read; save it as ASCII (in Gmsh: Mesh.Binary = 0).");
+    if (words.size() < 3 || !parse_number(words[0], version))
+      return rows_.fail("'$MeshFormat' needs version, file type and data size.");
     if (version == 4.1) {
-      version_ = 4;
+      version_ = Rows::v4_1;
+    } else if (version == 4) {
+      version_ = Rows::v4_0;
     } else if (version >= 2 && version < 3) {
-      version_ = 2;
+      version_ = Rows::v2;
     } else {
-      fail("MSH version " + std::string(words_[0].substr(0, 20)) +
-           " cannot be read; use 2.2 or 4.1.");
+      return rows_.fail("MSH version " + std::string(words[0].substr(0, 20)) +
+                        " cannot be read; use 2.2 or 4.1.");
     }
+    if (words[1] != "0") begin_binary(words[1], words[2]);
+  }
+
+  /// The data size is that of a count in 4.1, and before always that of a real.
+  void begin_binary(std::string_view type, std::string_view size) {
+    const bool short_counts = size == "4" && version_ == Rows::v4_1;
+    if (type != "1" || (size != "8" && !short_counts))
+      return rows_.fail("The file type must be 0 (ASCII) or 1 (binary), and the data size 8.");
+    rows_.begin_binary(short_counts ? 4 : 8);
   }
 
   void read_names() {
-    if (!read_integers(1)) return;
-    for (std::int64_t left = integers_[0]; left > 0 && !failed_; --left) {
-      const std::string_view line = next_line();
-      words_.split(line);
+    if (!rows_.read_line_of_integers(1)) return;
+    Words words;
+    for (std::int64_t left = rows_.integers()[0]; left > 0 && !rows_.failed(); --left) {
+      const std::string_view line = rows_.next_line();
+      words.split(line);
       const std::size_t open = line.find('"'), close = line.rfind('"');
       MshLabelled<std::string> name;
-      if (failed_ || words_.size() < 3 || !parse_integer(words_[0], name.dimension) ||
-          !parse_integer(words_[1], name.tag) || open == close) {
-        return fail("A physical name needs dimension, tag and a quoted name.");
+      if (words.size() < 3 || !parse_integer(words[0], name.dimension) ||
+          !parse_integer(words[1], name.tag) || open == close) {
+        return rows_.fail("A physical name needs dimension, tag and a quoted name.");
       }
       name.value = line.substr(open + 1, close - open - 1);
       content_.names.push_back(std::move(name));
@@ -168,109 +125,161 @@ class MshParser {
   }
 
   void read_entities() {
-    if (!read_integers(4)) return;
-    const std::array<std::int64_t, 4> counts{integers_[0], integers_[1], integers_[2],
-                                             integers_[3]};
-    for (std::int64_t dimension = 0; dimension < 4; ++dimension) {
-      // tag, then a point or a bounding box, then the physical tags.
-      const std::size_t at = dimension == 0 ? 4 : 7;
+    if (!rows_.read_integers(0, 4)) return;
+    const std::vector<std::int64_t> counts = rows_.integers();
+    for (std::int64_t dimension = 0; dimension < 4; ++dimension)
       for (std::int64_t left = counts[static_cast<std::size_t>(dimension)]; left > 0; --left) {
-        words_.split(next_line());
-        MshLabelled<std::int64_t> entity{dimension, 0, 0};
-        std::int64_t physicals = 0;
-        if (failed_ || words_.size() <= at || !parse_integer(words_[0], entity.tag) ||
-            !parse_integer(words_[at], physicals) ||
-            (physicals > 0 &&
-             (words_.size() <= at + 1 || !parse_integer(words_[at + 1], entity.value)))) {
-          return fail("An entity needs a tag, its extent and its physical tags.");
-        }
-        if (physicals > 0) entities_.push_back(entity);
+        read_entity(dimension);
+        if (rows_.failed()) return;
       }
-    }
     std::stable_sort(entities_.begin(), entities_.end());
   }
 
-  void read_nodes_2() {
-    if (!read_integers(1)) return;
-    for (std::int64_t left = integers_[0]; left > 0 && !failed_; --left) {
-      words_.split(next_line());
-      MshNode node;
-      if (words_.size() < 4 || !parse_integer(words_[0], node.tag)) {
-        return fail("A node needs a number and three coordinates.");
-      }
-      read_point(1, node.point);
-      content_.nodes.push_back(node);
+  /// Tag, then a point or a bounding box, then the physical tags; in bytes also what bounds it.
+  void read_entity(std::int64_t dimension) {
+    MshLabelled<std::int64_t> entity{dimension, 0, 0};
+    std::int64_t physicals = 0, bounds = 0;
+    rows_.begin_row();
+    bool good = rows_.read_int(entity.tag);
+    rows_.skip_reals(dimension == 0 && version_ == Rows::v4_1 ? 3 : 6);
+    good = good && rows_.read_count(physicals) && (physicals <= 0 || rows_.read_int(entity.value));
+    if (!good) return rows_.fail("An entity needs a tag, its extent and its physical tags.");
+    if (physicals > 0) entities_.push_back(entity);
+    if (!rows_.is_binary()) return;
+    rows_.skip_ints(physicals - 1);
+    if (dimension > 0 && rows_.read_count(bounds)) rows_.skip_ints(bounds);
+  }
+
+  /// A row of tag and point. Behind them is what is not needed: in version 2 perhaps an entity and
+  /// the place on it, else `more` coordinates of that place.
+  void read_node(std::int64_t more) {
+    MshNode node;
+    rows_.begin_row();
+    if (!rows_.has_words(4) || !rows_.read_int(node.tag))
+      return rows_.fail("A node needs a number and three coordinates.");
+    read_point(node.point);
+    if (rows_.is_binary() && rows_.section() == "ParametricNodes") {
+      if (!rows_.read_int(more)) return;
+      rows_.skip_ints(1);
     }
+    rows_.skip_reals(more);
+    content_.nodes.push_back(node);
+  }
+
+  void read_nodes_2() {
+    if (!rows_.read_line_of_integers(1)) return;
+    for (std::int64_t left = rows_.integers()[0]; left > 0 && !rows_.failed(); --left) read_node(0);
   }
 
   void read_elements_2() {
-    if (!read_integers(1)) return;
-    for (std::int64_t left = integers_[0]; left > 0; --left) {
-      if (!read_integers(3)) return;
-      const std::int64_t tags = integers_[2];
-      if (tags < 0 || tags > static_cast<std::int64_t>(integers_.size()) - 3) {
-        return fail("An element has a wrong number of tags.");
-      }
-      const std::int64_t physical = tags > 0 ? integers_[3] : 0;
-      const std::int64_t entity = tags > 1 ? integers_[4] : 0;
-      add_element(integers_[1], 3 + static_cast<std::size_t>(tags), physical, entity);
-      if (failed_) return;
+    if (!rows_.read_line_of_integers(1)) return;
+    for (std::int64_t left = rows_.integers()[0]; left > 0 && !rows_.failed();)
+      left -= rows_.is_binary() ? read_batch_2(left) : read_element_2();
+  }
+
+  std::int64_t read_element_2() {
+    if (!rows_.read_integers(3, 0)) return 1;
+    const std::int64_t tags = rows_.integers()[2];
+    if (tags < 0 || tags > static_cast<std::int64_t>(rows_.integers().size()) - 3) {
+      rows_.fail("An element has a wrong number of tags.");
+    } else {
+      add_tagged_element(rows_.integers()[1], 3, static_cast<std::size_t>(tags));
+    }
+    return 1;
+  }
+
+  /// In bytes, elements of the same type and number of tags have a header for them all.
+  std::int64_t read_batch_2(std::int64_t most) {
+    if (!rows_.read_integers(3, 0)) return 1;
+    const std::int64_t type = rows_.integers()[0], count = rows_.integers()[1];
+    const std::int64_t tags = rows_.integers()[2];
+    if (count < 1 || count > most) rows_.fail("A block has a wrong number of elements.");
+    if (tags < 0) rows_.fail("An element has a wrong number of tags.");
+    const std::size_t nodes = nodes_in_bytes(type);
+    for (std::int64_t left = count; left > 0 && !rows_.failed(); --left)
+      if (rows_.read_integers(1 + static_cast<std::size_t>(tags) + nodes, 0))
+        add_tagged_element(type, 1, static_cast<std::size_t>(tags));
+    return count;
+  }
+
+  struct Block {
+    std::int64_t dimension, entity;
+    std::int64_t kind;  // of elements; of nodes: do they have coordinates on their entity
+    std::int64_t count;
+  };
+
+  void read_blocks(void (MshParser::*read_block)(const Block&)) {
+    const bool old = version_ == Rows::v4_0;
+    if (!rows_.read_integers(0, old ? 2 : 4)) return;
+    for (std::int64_t left = rows_.integers()[0]; left > 0; --left) {
+      if (!rows_.read_integers(3, 1)) return;
+      const std::vector<std::int64_t>& row = rows_.integers();
+      (this->*read_block)({row[old ? 1 : 0], row[old ? 0 : 1], row[2], row[3]});
+      if (rows_.failed()) return;
     }
   }
 
-  void read_blocks(void (MshParser::*read_block)()) {
-    if (!read_integers(4)) return;
-    for (std::int64_t left = integers_[0]; left > 0; --left) {
-      if (!read_integers(4)) return;
-      (this->*read_block)();
-      if (failed_) return;
+  void read_node_block(const Block& block) {
+    const std::int64_t more = block.kind != 0 ? block.dimension : 0;
+    if (version_ == Rows::v4_0) {
+      for (std::int64_t i = 0; i < block.count && !rows_.failed(); ++i) read_node(more);
+      return;
     }
-  }
-
-  void read_node_block() {
-    const std::int64_t count = integers_[3];
     const std::size_t first = content_.nodes.size();
-    for (std::int64_t i = 0; i < count; ++i) {
-      if (!read_integers(1)) return;
-      content_.nodes.push_back({integers_[0], {}});
+    for (std::int64_t i = 0; i < block.count; ++i) {
+      if (!rows_.read_integers(0, 1)) return;
+      content_.nodes.push_back({rows_.integers()[0], {}});
     }
-    for (std::size_t i = first; i < content_.nodes.size() && !failed_; ++i) {
-      words_.split(next_line());
-      read_point(0, content_.nodes[i].point);
-    }
-  }
-
-  void read_element_block() {
-    const std::int64_t dimension = integers_[0], entity = integers_[1], type = integers_[2];
-    const std::int64_t* physical = find_msh_label(entities_, dimension, entity);
-    for (std::int64_t left = integers_[3]; left > 0; --left) {
-      if (!read_integers(1)) return;
-      add_element(type, 1, physical != nullptr ? *physical : 0, entity);
-      if (failed_) return;
+    for (std::size_t i = first; i < content_.nodes.size() && !rows_.failed(); ++i) {
+      rows_.begin_row();
+      read_point(content_.nodes[i].point);
+      rows_.skip_reals(more);
     }
   }
 
-  /// An element whose node tags start at integers_[at].
+  void read_element_block(const Block& block) {
+    const std::int64_t* physical = find_msh_label(entities_, block.dimension, block.entity);
+    const std::size_t numbers = 1 + nodes_in_bytes(block.kind);
+    const bool ints = version_ == Rows::v4_0;
+    for (std::int64_t left = block.count; left > 0 && !rows_.failed(); --left)
+      if (rows_.read_integers(ints ? numbers : 0, ints ? 0 : numbers))
+        add_element(block.kind, 1, physical != nullptr ? *physical : 0, block.entity);
+  }
+
+  /// Nodes of an element as far as they must be known to read it: not of a line.
+  std::size_t nodes_in_bytes(std::int64_t type) {
+    if (!rows_.is_binary()) return 0;
+    const int nodes = msh_nodes(type);
+    if (nodes == 0)
+      rows_.fail("Element type " + std::to_string(type) +
+                 " cannot be read from a binary file, as the number of its nodes is not known.");
+    return static_cast<std::size_t>(nodes);
+  }
+
+  /// An element whose tags start at integers()[at]: the physical one, the entity, others.
+  void add_tagged_element(std::int64_t type, std::size_t at, std::size_t tags) {
+    const std::vector<std::int64_t>& row = rows_.integers();
+    add_element(type, at + tags, tags > 0 ? row[at] : 0, tags > 1 ? row[at + 1] : 0);
+  }
+
+  /// An element whose node tags start at integers()[at].
   void add_element(std::int64_t type, std::size_t at, std::int64_t physical, std::int64_t entity) {
     MshElement element;
     element.size = msh_corners(type, scope_);
     if (element.size == 0 && scope_ == MeshScope::space) return pass_over(type);
     if (element.size == 0) return refuse_type(type);
-    if (integers_.size() < at + static_cast<std::size_t>(element.size)) {
-      return fail("An element has too few nodes.");
-    }
-    for (int k = 0; k < element.size; ++k) {
-      element.nodes[static_cast<std::size_t>(k)] = integers_[at + static_cast<std::size_t>(k)];
-    }
+    if (rows_.integers().size() < at + static_cast<std::size_t>(element.size))
+      return rows_.fail("An element has too few nodes.");
+    for (std::size_t k = 0; k < static_cast<std::size_t>(element.size); ++k)
+      element.nodes[k] = rows_.integers()[at + k];
     // A physical tag may be negative (reversed); entities without one stay apart from physicals.
     constexpr std::int64_t largest = std::int64_t{1} << 62;
-    if (physical <= -largest || entity <= -largest || entity >= largest) {
-      return fail("A tag is out of range.");
-    }
+    if (physical <= -largest || entity <= -largest || entity >= largest)
+      return rows_.fail("A tag is out of range.");
     element.group = physical != 0 ? std::abs(physical) : -std::abs(entity);
     element.second_order = element.size >= 3 && type > msh_quad;
-    element.line = lines_.line();
-    element.byte = lines_.byte();
+    element.line = rows_.line();
+    element.byte = rows_.byte();
     content_.elements.push_back(element);
   }
 
@@ -280,10 +289,10 @@ class MshParser {
   }
 
   void refuse_type(std::int64_t type) {
-    fail("Element type " + std::to_string(type) + ", " + msh_type_name(type) +
-         ", cannot be read: a mesh in the plane has points, lines, triangles and quads of first "
-         "order" +
-         (is_msh_volume(type) ? "." : " (in Gmsh: Mesh.ElementOrder = 1)."));
+    rows_.fail("Element type " + std::to_string(type) + ", " + msh_type_name(type) +
+               ", cannot be read: a mesh in the plane has points, lines, triangles and quads of "
+               "first order" +
+               (is_msh_volume(type) ? "." : " (in Gmsh: Mesh.ElementOrder = 1)."));
   }
 
   void sort_nodes() {
@@ -291,19 +300,14 @@ class MshParser {
                      [](const MshNode& a, const MshNode& b) { return a.tag < b.tag; });
     for (std::size_t i = 1; i < content_.nodes.size(); ++i)
       if (content_.nodes[i - 1].tag == content_.nodes[i].tag)
-        return fail("Node " + std::to_string(content_.nodes[i].tag) + " is defined twice.");
+        return rows_.fail("Node " + std::to_string(content_.nodes[i].tag) + " is defined twice.");
   }
 
-  LineReader lines_;
+  MshRows rows_;
   MeshScope scope_;
-  Words words_;
-  std::vector<std::int64_t> integers_;
-  std::string section_;                              // that is being read, without its $
-  int version_ = 0;                                  // 2 or 4
+  Rows version_ = Rows::none;
   std::vector<MshLabelled<std::int64_t>> entities_;  // physical tag of each entity that has one
   MshContent content_;
-  bool failed_ = false;
-  Error error_;
 };
 
 }  // namespace

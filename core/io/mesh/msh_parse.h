@@ -23,7 +23,7 @@ struct MshElement {
   std::array<std::int64_t, 4> nodes{};  // tags
   int size = 0;                         // 1 point, 2 line, 3 triangle, 4 quad
   std::int64_t group = 0;               // physical tag, or -(entity tag) without one
-  std::int64_t line = 0, byte = 0;      // of the file
+  std::int64_t line = 0, byte = 0;      // of the file; a binary one has no lines
   bool second_order = false;
 };
 
@@ -55,17 +55,18 @@ struct MshContent {
   std::vector<MshNode> nodes;                   // sorted by tag, each tag once
   std::vector<MshElement> elements;
   PassedOver passed_over;
+  bool binary = false;
 
   /// Index into nodes, none if there is no such tag. Cost O(log #nodes).
   Index node_index(std::int64_t tag) const;
 };
 
-/// Line by line as Gmsh writes it, versions 2.0 - 2.2 and 4.1, ASCII. In the plane z must be 0, and
-/// elements other than points, lines, triangles and quads of first order are an error, as they
-/// would be silently left out. In space: any z, triangles and quads of second order are read as
-/// their corners, other kinds (volumes) are passed over and counted. Nothing is reserved from the
-/// counts in the file: memory grows only with lines that are really there. Errors: parse_error with
-/// line and byte.
+/// Row by row as Gmsh writes it, versions 2.0 - 2.2, 4.0 and 4.1, ASCII or binary of either byte
+/// order. In the plane z must be 0, and elements other than points, lines, triangles and quads of
+/// first order are an error, as they would be silently left out. In space: any z, triangles and
+/// quads of second order are read as their corners, other kinds (volumes) are passed over and
+/// counted. Nothing is reserved from the counts in the file: memory grows only with rows that are
+/// really there. Errors: parse_error with byte, and of ASCII with line.
 Result<MshContent> parse_msh(std::string_view text, MeshScope scope);
 
 /// Is it a surface, or was it meant as one, rather than a mesh or lines in the plane? A face that

@@ -84,8 +84,11 @@ Result<OutputMesh> read(std::string_view text, MeshScope scope, bool needs_faces
   const auto content = parse_msh(text, scope);
   if (!content) return content.error();
   auto mesh = MshReader(*content).read();
-  if (mesh && mesh->faces.empty() && needs_faces)
-    return error_at(text, text.size(), error_of_no_face(*content).message);
+  if (mesh && mesh->faces.empty() && needs_faces) {
+    Error error = error_at(text, text.size(), error_of_no_face(*content).message);
+    if (content->binary) error.where.line = none;
+    return error;
+  }
   return mesh;
 }
 

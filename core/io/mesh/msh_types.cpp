@@ -1,6 +1,7 @@
 // See msh_types.h.
 #include "io/mesh/msh_types.h"
 
+#include <iterator>
 #include <string>
 
 namespace lpq {
@@ -32,6 +33,15 @@ constexpr Kind other_kinds[] = {{4, 4, 3, 1, "a tetrahedron"},
                                 {36, 51, 2, 3, "a face of higher order"},
                                 {71, 93, 3, 3, "a volume of higher order"}};
 
+/// Of the types 1, 2, ..
+constexpr std::uint16_t node_counts[] = {
+    2,  3,  4,  4,  8,  6,  5,  3,  6,  9,  10,  27,  18,  14,  1,  8,  // first and second order
+    20, 15, 13, 9,  10, 12, 15, 15, 21, 4,  5,   6,   20,  35,  56, 22,  28,  0,
+    0,  16, 25, 36, 12, 16, 20, 28, 36, 45, 55,  66,  49,  64,  81, 100, 121,  // faces
+    18, 21, 24, 27, 30, 24, 28, 32, 36, 40,  // without inner nodes
+    7,  8,  9,  10, 11, 0,  0,  0,  0,  84, 120, 165, 220, 286, 0,  0,   0,   34,
+    40, 46, 52, 58, 1,  1,  1,  1,  1,  1,  40,  75,  64,  125};
+
 Kind kind_of(std::int64_t type) {
   for (const Kind& kind : other_kinds)
     if (kind.from <= type && type <= kind.to) return kind;
@@ -60,6 +70,11 @@ int msh_corners(std::int64_t type, MeshScope scope) {
     case type_quad_9: return scope == MeshScope::space ? 4 : 0;
     default: return 0;
   }
+}
+
+int msh_nodes(std::int64_t type) {
+  if (type < 1 || type > static_cast<std::int64_t>(std::size(node_counts))) return 0;
+  return node_counts[type - 1];
 }
 
 Error error_of_no_face(const MshContent& content) {

@@ -14,6 +14,10 @@ inline constexpr std::int64_t msh_quad = 3;  // the greatest of first order that
 /// Corners of the element kinds that are read, 0 for others. Gmsh lists corners first.
 int msh_corners(std::int64_t type, MeshScope scope);
 
+/// All nodes of an element of any kind, which take their place in binary files; 0 where that is not
+/// known, or differs.
+int msh_nodes(std::int64_t type);
+
 /// "a tetrahedron", of kinds that are not read everywhere.
 const char* msh_type_name(std::int64_t type);
 bool is_msh_volume(std::int64_t type);

@@ -45,15 +45,16 @@ class OffReader {
     return true;
   }
 
-  /// [ST][C][N][4][n]OFF, perhaps with the first count right behind it.
+  /// [ST][C][N][4][n]OFF, perhaps in small letters or with the first count right behind it.
   void read_counts() {
     if (!next_words("count")) return;
     std::string_view first = words_[0];
-    const std::size_t off = first.find("OFF");
+    const bool small = first.find("off") != std::string_view::npos;
+    const std::size_t off = first.find(small ? "off" : "OFF");
     std::size_t at = 0;
     if (off != std::string_view::npos) {
       const std::string_view prefix = first.substr(0, off);
-      if (prefix.find_first_not_of("STCN") != std::string_view::npos)
+      if (prefix.find_first_not_of(small ? "stcn" : "STCN") != std::string_view::npos)
         return fail("Only OFF files of points in space can be read.");
       first.remove_prefix(off + 3);
       at = first.empty() ? 1 : 0;

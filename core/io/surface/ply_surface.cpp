@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "io/surface/byte_order.h"
+#include "io/byte_order.h"
 #include "io/surface/ply_header.h"
 #include "io/surface/soup_builder.h"
 #include "io/surface/surface_text.h"

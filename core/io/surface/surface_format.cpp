@@ -1,6 +1,7 @@
 // See surface_format.h.
 #include "io/surface/surface_format.h"
 
+#include <algorithm>
 #include <string>
 
 #include "io/domain/domain_format.h"
@@ -35,7 +36,16 @@ bool starts_like_obj(std::string_view text) {
   return false;
 }
 
-bool starts_like_off(std::string_view word) {
+/// Past comments, [ST][C][N][4][n]OFF, or the same in small letters.
+bool starts_like_off(std::string_view text) {
+  while (!text.empty() && text[0] == '#') {
+    text.remove_prefix(std::min(text.find_first_of("\r\n"), text.size()));
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  }
+  const std::string_view word =
+      text.substr(0, std::min(text.find_first_of(" \t\r\n"), text.size()));
+  if (word.size() > 2 && word.substr(word.size() - 3) == "off")
+    return word.find_first_not_of("stcn4of") == std::string_view::npos;
   const std::size_t off = word.substr(0, 8).find("OFF");
   return off != std::string_view::npos &&
          word.substr(0, off).find_first_not_of("STCN4n") == std::string_view::npos;
