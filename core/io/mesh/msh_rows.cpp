@@ -75,9 +75,8 @@ bool MshRows::read_line_of_integers(std::size_t count) {
   integers_.clear();
   for (std::size_t i = 0; i < words_.size() && !failed_; ++i) {
     std::int64_t value = 0;
-    if (!parse_integer(words_[i], value)) {
-      fail("'" + std::string(words_[i].substr(0, 40)) + "' is not an integer.");
-    }
+    if (!parse_integer(words_[i], value))
+      fail(std::string("'").append(words_[i].substr(0, 40)) + "' is not an integer.");
     integers_.push_back(value);
   }
   if (!failed_ && integers_.size() < count) fail("The line has too few numbers.");
