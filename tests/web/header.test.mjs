@@ -43,6 +43,25 @@ test('the help lists every action with its keys, finds them, and runs them', asy
   await page.context().close();
 });
 
+for (const place of ['', 'space.html'])
+  test(`a dialog keeps the keyboard after a click on its words, and Escape closes it: ${place || 'plane'}`, async () => {
+    const page = await playground.open({ hash: place });
+    const phase = () => page.evaluate(() => { const { run, going } = globalThis.playground.runner; return `${run.phase} ${going}`; });
+    await page.locator('.stage-name', { hasText: /^done/ }).waitFor();
+    for (const opener of ['page.help', ...place ? [] : ['page.share']]) {
+      const before = await phase();
+      await page.click(`[data-action="${opener}"]`);
+      await page.locator('dialog[open] h2').click();
+      await page.keyboard.press('Space');
+      assert.equal(await phase(), before);
+      await page.keyboard.press('Escape');
+      await page.waitForFunction(() => document.querySelector('dialog[open]') === null, null, { timeout: 5000 });
+      assert.equal(await page.evaluate(() => document.activeElement.dataset.action), opener);
+    }
+    assert.deepEqual(page.errors, []);
+    await page.context().close();
+  });
+
 test('the help has words for every group, and a key does one thing at a time', async () => {
   const page = await playground.open();
   await page.keyboard.press('?');
