@@ -406,6 +406,9 @@ test('a file without outlines is refused as a file: nothing offers to replace th
   assert.doesNotMatch(await bar.textContent(), /yet/);
   assert.deepEqual(await bar.getByRole('button').evaluateAll((all) => all.map((one) => one.ariaLabel ?? one.textContent)), ['Open another file', 'Close this message']);
   assert.equal(await page.evaluate(() => globalThis.playground.store.project.preset), 'square');
+  await drop(page, 'place.geojson', '{"type": "Point", "coordinates": [0, 0]}');
+  await bar.getByText('place.geojson: It has no outline.').waitFor();
+  assert.equal(await page.evaluate(() => globalThis.playground.store.project.preset), 'square');
   await drop(page, 'README.md', 'Words.');
   await bar.getByText(/Surfaces are read from .*\.stl.*domains in the plane from .*\.dxf/).waitFor();
   await close(page);
