@@ -225,6 +225,7 @@ test('the run says how it ended: with how many quads, or why without', () => {
   const run = { phase: 'done', state: { stage: 'done' }, result: { report: { quads: 2998 } }, error: null };
   assert.equal(stageInWords(run), 'done: 2,998 quads');
   assert.equal(stageInWords({ ...run, phase: 'failed', error: { code: 'TOO_MANY_ELEMENTS' } }), 'failed: this mesh would have too many elements');
+  assert.equal(stageInWords({ ...run, phase: 'failed', error: { code: 'ZERO_AREA' } }), 'failed: this surface has no area');
 });
 
 test('messages of the mesher have the names of the page and numbers that people write', () => {
@@ -232,7 +233,7 @@ test('messages of the mesher have the names of the page and numbers that people 
   assert.equal(said, 'About 55 billion elements would be needed, more than the limit of 2,000,000. Use a larger size or raise “Most elements”.');
   for (const same of ['The point (0.123456, 12345.678, 3) is not on it.', 'At 1234 of part-20000.stl.', 'size must be above 0.'])
     assert.equal(messageInWords(same), same);
-  assert.equal(messageInWords('About 1.2e+300 elements.'), 'About far too many elements.');
+  assert.equal(messageInWords('About 1.2e+300 elements.'), 'Far too many elements.');
 });
 
 test('a link to a surface that there is not says which there are', () => {

@@ -3,7 +3,7 @@
 /** @import { SurfaceRun } from '../types' */
 import { nameOfOption } from '../../mesh/options.js';
 import { counted } from '../../run/words.js';
-import { titleOf } from '../../sketch/errors/words.js';
+import { titleOf as titleInThePlane } from '../../sketch/errors/words.js';
 
 /** @type {Record<SurfaceProgress['stage'], string>} */
 const names = {
@@ -13,6 +13,17 @@ const names = {
 
 /** By what reports call the stages: two of theirs are never on the screen. @type {Record<string, string>} */
 export const stageNames = { ...names, repair: 'repairing the surface', summary: 'measuring the mesh' };
+
+/** What differs where there is a surface and no outline. @type {Record<string, string>} */
+const titles = {
+  EMPTY: 'There is no surface to mesh.',
+  ZERO_AREA: 'This surface has no area.',
+  BAD_SIZE: 'The mesh size does not fit this surface.',
+  NO_VALID_MESH: 'No good mesh was found for this surface.',
+};
+
+/** @param {string} code */
+export const titleOf = (code) => titles[code] ?? titleInThePlane(code);
 
 /** Where the run is. @param {SurfaceRun} run */
 export function stageInWords({ phase, state, error, paused, result }) {
@@ -34,6 +45,7 @@ const manyDigits = 5;
 export const messageInWords = (message) => message
   .replace(/(?<![\w.])\d+(?:\.\d+)?e\+\d+(?![\w.]*\w)/g, (number) => written(Number(number)))
   .replace(new RegExp(`(?<![\\w.,-])\\d{${manyDigits},}(?![\\w,-]|\\.\\w)`, 'g'), (number) => written(Number(number)))
+  .replace(/\bAbout far\b/g, 'Far')
   .replace(/\b[a-z]+(?:[A-Z][a-z]+)+\b/g, (name) => `“${nameOfOption(name)}”`);
 
 /** @param {number} number */
