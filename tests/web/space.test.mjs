@@ -14,6 +14,7 @@ import {
 import { layOut, quadsInPlanes } from '../../web/space/view/layout.js';
 import { nextChart, pick } from '../../web/space/view/planes.js';
 import { portionAfter, shareOf } from '../../web/space/run/runner.js';
+import { describe } from '../../web/run/words.js';
 import { messageInWords, stageInWords } from '../../web/space/run/words.js';
 import { bordersOf } from '../../web/space/view/borders.js';
 
@@ -234,6 +235,13 @@ test('messages of the mesher have the names of the page and numbers that people 
   for (const same of ['The point (0.123456, 12345.678, 3) is not on it.', 'At 1234 of part-20000.stl.', 'size must be above 0.'])
     assert.equal(messageInWords(same), same);
   assert.equal(messageInWords('About 1.2e+300 elements.'), 'Far too many elements.');
+  for (const same of ['The points (712345, 6175000) and (1, 2) of region 0 (myPart, 20000) touch.'])
+    assert.equal(messageInWords(same), same);
+});
+
+test('the page for the plane says them the same way', () => {
+  const error = { code: 'TOO_MANY_ELEMENTS', message: 'About 1.1e+14 elements would be needed, more than the limit of 10000000. Use a larger size or raise maxElements.', where: {} };
+  assert.equal(describe({ error }), 'no mesh: About 110 trillion elements would be needed, more than the limit of 10,000,000. Use a larger size or raise “Most elements”.');
 });
 
 test('a link to a surface that there is not says which there are', () => {

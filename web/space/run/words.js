@@ -1,7 +1,6 @@
 // What a run of surfaces is doing, and why it failed, in plain words.
 /** @import { SurfaceProgress } from 'lpquad' */
 /** @import { SurfaceRun } from '../types' */
-import { nameOfOption } from '../../mesh/options.js';
 import { counted } from '../../run/words.js';
 import { titleOf as titleInThePlane } from '../../sketch/errors/words.js';
 
@@ -38,18 +37,4 @@ export function stageInWords({ phase, state, error, paused, result }) {
 /** In the middle of a sentence. @param {string} code */
 const shortTitle = (code) => titleOf(code).replace(/\.$/, '').replace(/^./, (first) => first.toLowerCase());
 
-const manyDigits = 5;
-
-/** A message of the mesher as people write: options by their names on the page, numbers with all their digits.
- * @param {string} message */
-export const messageInWords = (message) => message
-  .replace(/(?<![\w.])\d+(?:\.\d+)?e\+\d+(?![\w.]*\w)/g, (number) => written(Number(number)))
-  .replace(new RegExp(`(?<![\\w.,-])\\d{${manyDigits},}(?![\\w,-]|\\.\\w)`, 'g'), (number) => written(Number(number)))
-  .replace(/\bAbout far\b/g, 'Far')
-  .replace(/\b[a-z]+(?:[A-Z][a-z]+)+\b/g, (name) => `“${nameOfOption(name)}”`);
-
-/** @param {number} number */
-function written(number) {
-  if (number < 1e9) return number.toLocaleString('en');
-  return number < 1e15 ? number.toLocaleString('en', { notation: 'compact', compactDisplay: 'long', maximumSignificantDigits: 2 }) : 'far too many';
-}
+export { messageInWords } from '../../run/words.js';
