@@ -37,6 +37,15 @@ const shown = (page, { project, at }) => page.waitForFunction(({ layers, at }) =
     && run.frame?.tick === run.state.tick && (at.iteration === undefined || run.state.iteration === at.iteration);
 }, { layers: String(project.layers), at });
 
+test('who takes the tour by keyboard is led to its first chapter', async () => {
+  const page = await playground.open();
+  await page.locator('.welcome button').focus();
+  await page.keyboard.press('Enter');
+  await page.getByRole('heading', { name: chapters[0].title }).waitFor();
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), chapters[0].title);
+  await page.context().close();
+});
+
 test('keys lead through all chapters and back, and undo leads out', async () => {
   const page = await playground.open();
   await page.getByRole('tab', { name: 'Learn' }).click();
