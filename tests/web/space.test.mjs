@@ -264,7 +264,7 @@ test('code names the file, and options that were chosen', () => {
   const known = [{ name: 'size', default: 0 }, { name: 'featureAngle', default: 40 }, { name: 'keepGroups', default: true }];
   const work = { ...presetWork('gear'), options: { size: 0.25, featureAngle: 40, keepGroups: false } };
   assert.equal(toCommand(work, known), "lpquad mesh 'gear-surface.obj' -o gear-quads.msh --size 0.25 --no-keep-groups\n");
-  assert.match(toJavaScript(work, known), /readFileSync\("gear-surface\.obj"\)[^]*meshSurface\(surface, \{ size: 0\.25, keepGroups: false \}\)/);
+  assert.match(toJavaScript(work, known), /^\/\/ npm install lpquad; the file is that of “Surface as OBJ”\n[^]*readFileSync\("gear-surface\.obj"\)[^]*meshSurface\(surface, \{ size: 0\.25, keepGroups: false \}\)/);
   const file = { ...work, name: "it's part.STL", preset: undefined };
   assert.equal(sourceOf(file), "it's part.STL");
   assert.match(toCommand(file, known), /^lpquad mesh 'it'\\''s part\.STL' -o it-s-part-quads\.msh /);
