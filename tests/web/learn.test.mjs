@@ -142,9 +142,9 @@ test('N chooses a vertex, and turns the page only where the tour is read', async
   const page = await playground.open({ hash: '#preset=square' });
   await page.getByRole('button', { name: 'Next vertex' }).click();
   await page.keyboard.press('n');
-  await page.locator('.hint', { hasText: 'Vertex 2 of 4' }).waitFor();
+  await page.locator('.hint', { hasText: 'Vertex 1 of 0–3' }).waitFor();
   await page.keyboard.press('p');
-  await page.locator('.hint', { hasText: 'Vertex 1 of 4' }).waitFor();
+  await page.locator('.hint', { hasText: 'Vertex 0 of 0–3' }).waitFor();
   await page.getByRole('tab', { name: 'Learn' }).click();
   await page.keyboard.press('n');  // no chapter is open yet
   assert.equal((await projectOf(page)).preset, 'square');
