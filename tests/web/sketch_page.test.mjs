@@ -200,8 +200,8 @@ test('a vertex has the number by which messages and files call it', async () => 
   await page.click('[data-action="vertex.next"]');
   await page.waitForFunction(() => document.querySelector('.selection-section .in-one-line').textContent === 'Vertex 0 of 0–3, loop 0');
   await page.evaluate(() => globalThis.playground.store.change('Cross', { drawing: { regions: [{ name: '', loops: [[[0, 0], [1, 1], [1, 0], [0, 1.2]]] }], polylines: [], points: [] } }));
-  const message = await page.locator('.error-bar .details').textContent();
-  const [, edge] = message.match(/edge (\d+) of loop 0/);  // starts at the vertex of its number
+  const message = await page.locator('.error-bar .details', { hasText: 'and the edge 2 of loop 0' }).textContent();
+  const [, edge] = message.match(/and the edge (\d+) of loop 0/);  // starts at the vertex of its number
   for (let k = 0; k < Number(edge); ++k) await page.click('[data-action="vertex.next"]');
   await name.filter({ hasText: `Vertex ${edge} of 0–3` }).waitFor();
   await close(page);
