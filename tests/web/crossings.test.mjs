@@ -92,3 +92,10 @@ test('sides of nearly straight triples are exact', () => {
 test('what is not a number is left to the library', () => {
   assert.deepEqual(findMeetings(domain([[0, 0], [NaN, 1], [1, 0], [Infinity, 2]])), []);
 });
+
+test('edges are named as the library names them', () => {
+  const one = { name: 'steel', loops: [square(0, 0, 2)] }, two = { name: '', loops: [square(1, 1, 2)] };
+  const named = (drawing) => problemsOf(drawing).map(({ message }) => message);
+  assert.match(named({ regions: [one, two], polylines: [], points: [] })[0], /^The edge 1 of loop 0 of region 0 \(steel\) and the edge 0 of loop 0 of region 1 cross\.$/);
+  assert.match(named({ regions: [one], polylines: [{ points: [[1, 1], [3, 1.2]], tag: '' }], points: [] })[0], /^The edge 1 of loop 0 and the edge 0 of polyline 0 cross\.$/);
+});

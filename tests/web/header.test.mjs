@@ -43,6 +43,25 @@ test('the help lists every action with its keys, finds them, and runs them', asy
   await page.context().close();
 });
 
+for (const place of ['', 'space.html'])
+  test(`a dialog keeps the keyboard when nothing in it has the focus, and Escape closes it: ${place || 'plane'}`, async () => {
+    const page = await playground.open({ hash: place });
+    const phase = () => page.evaluate(() => { const { run, going } = globalThis.playground.runner; return `${run.phase} ${going}`; });
+    await page.locator('.stage-name', { hasText: /^done/ }).waitFor();
+    for (const opener of ['page.help', ...place ? [] : ['page.share']]) {
+      const before = await phase();
+      await page.click(`[data-action="${opener}"]`);
+      await page.evaluate(() => document.activeElement.blur());  // as Tab does at its end
+      await page.keyboard.press('Space');
+      assert.equal(await phase(), before);
+      await page.keyboard.press('Escape');
+      await page.waitForFunction(() => document.querySelector('dialog[open]') === null, null, { timeout: 5000 });
+      assert.equal(await page.evaluate(() => document.activeElement.dataset.action), opener);
+    }
+    assert.deepEqual(page.errors, []);
+    await page.context().close();
+  });
+
 test('the help has words for every group, and a key does one thing at a time', async () => {
   const page = await playground.open();
   await page.keyboard.press('?');
@@ -102,3 +121,53 @@ for (const place of ['', 'space.html'])
       }
       await page.context().close();
     });
+
+test('the view is moved by keys: nearer, farther, and by arrows where nothing is chosen; compared meshes too', async () => {
+  const page = await playground.open();
+  await page.locator('.stage-name', { hasText: /^done/ }).waitFor();
+  const view = () => page.evaluate(() => ({ ...globalThis.playground.stage.view }));
+  const middle = ({ left, top, width, height, scale }) => [left + width / 2 / scale, top - height / 2 / scale];
+  const first = await view();
+  await page.focus('#overlay-canvas');
+  await page.keyboard.press('+');
+  const near = await view();
+  assert.ok(Math.abs(near.scale / first.scale - 1.2) < 1e-9);
+  middle(near).forEach((at, i) => assert.ok(Math.abs(at - middle(first)[i]) < 1e-9));
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('ArrowUp');
+  const moved = await view();
+  assert.ok(middle(moved)[0] > middle(near)[0] && middle(moved)[1] > middle(near)[1]);
+  await page.keyboard.press('-');
+  assert.ok(Math.abs((await view()).scale / first.scale - 1) < 1e-9);
+  await page.keyboard.press('n');  // now an arrow moves the vertex
+  const before = await view();
+  await page.keyboard.press('ArrowLeft');
+  assert.deepEqual(await view(), before);
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Shift+C');
+  const side = page.locator('.side-stage canvas[role=img]').first();
+  await page.locator('.side-head output', { hasText: /^done/ }).first().waitFor();
+  await side.focus();
+  const pictures = () => page.locator('.side-stage canvas:first-child').evaluateAll((all) => all.map((one) => one.toDataURL()));
+  for (const key of ['ArrowDown', '+']) {
+    const were = await pictures();
+    await page.keyboard.press(key);
+    await page.waitForFunction((were) => [...document.querySelectorAll('.side-stage canvas:first-child')].every((one, i) => one.toDataURL() !== were[i]), were, { timeout: 10000 });
+  }
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+for (const place of ['', 'space.html'])
+  test(`what has the focus has all of its frame in sight: ${place || 'plane'}`, async () => {
+    const page = await playground.open({ hash: place });
+    await page.locator('.stage-name', { hasText: /./ }).waitFor();
+    const cut = await page.evaluate(() => [...document.querySelectorAll('canvas[tabindex], [role=tab], [role=tabpanel]')].filter((one) => one.checkVisibility()).filter((one) => {
+      one.focus({ focusVisible: true });
+      if (document.activeElement !== one) return true;
+      const { outlineOffset, outlineWidth, outlineStyle } = getComputedStyle(one);
+      return outlineStyle === 'none' || parseFloat(outlineOffset) + parseFloat(outlineWidth) > 0;  // they fill what cuts them off
+    }).map(({ outerHTML }) => outerHTML.slice(0, 80)));
+    assert.deepEqual(cut, []);
+    await page.context().close();
+  });

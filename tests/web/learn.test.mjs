@@ -37,6 +37,15 @@ const shown = (page, { project, at }) => page.waitForFunction(({ layers, at }) =
     && run.frame?.tick === run.state.tick && (at.iteration === undefined || run.state.iteration === at.iteration);
 }, { layers: String(project.layers), at });
 
+test('who takes the tour by keyboard is led to its first chapter', async () => {
+  const page = await playground.open();
+  await page.locator('.welcome button').focus();
+  await page.keyboard.press('Enter');
+  await page.getByRole('heading', { name: chapters[0].title }).waitFor();
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), chapters[0].title);
+  await page.context().close();
+});
+
 test('keys lead through all chapters and back, and undo leads out', async () => {
   const page = await playground.open();
   await page.getByRole('tab', { name: 'Learn' }).click();
@@ -133,9 +142,9 @@ test('N chooses a vertex, and turns the page only where the tour is read', async
   const page = await playground.open({ hash: '#preset=square' });
   await page.getByRole('button', { name: 'Next vertex' }).click();
   await page.keyboard.press('n');
-  await page.locator('.hint', { hasText: 'Vertex 2 of 4' }).waitFor();
+  await page.locator('.hint', { hasText: 'Vertex 1 of 0–3' }).waitFor();
   await page.keyboard.press('p');
-  await page.locator('.hint', { hasText: 'Vertex 1 of 4' }).waitFor();
+  await page.locator('.hint', { hasText: 'Vertex 0 of 0–3' }).waitFor();
   await page.getByRole('tab', { name: 'Learn' }).click();
   await page.keyboard.press('n');  // no chapter is open yet
   assert.equal((await projectOf(page)).preset, 'square');

@@ -33,7 +33,7 @@ for (const [width, height] of sizes)
     await drawn(page);
     assert.deepEqual(await places(page), before, 'pointed at');
     await page.mouse.click(corner.x, corner.y);
-    for (const what of [/^Vertex 1 of 4/, /^Vertex 1 of \d\d/]) {  // of a rectangle, of a circle
+    for (const what of [/^Vertex 0 of 0–3/, /^Vertex 0 of 0–\d\d/]) {  // of a rectangle, of a circle
       await page.locator('.selection-section .hint', { hasText: what }).waitFor();
       await drawn(page);
       assert.deepEqual(await places(page), before, String(what));

@@ -129,7 +129,7 @@ test('all of it by keyboard', async () => {
   await page.focus('#overlay-canvas');
   await page.keyboard.press('n');
   await page.keyboard.press('n');
-  await page.locator('.selection-section .hint', { hasText: /^Vertex 2 of 4/ }).waitFor();
+  await page.locator('.selection-section .hint', { hasText: /^Vertex 1 of 0–3, loop 0/ }).waitFor();
   await page.fill('.snap-section input', '0.01');
   await page.keyboard.press('Enter');
   await page.focus('#overlay-canvas');
@@ -177,6 +177,33 @@ test('numbers of the vertex, the circle and the rectangle', async () => {
   await page.keyboard.press('Enter');
   assert.equal((await drawingOf(page)).regions[0].tags[1].filter((tag) => tag === 'bore').length, 1);
   await finished(page);
+  await close(page);
+});
+
+test('an outline of any shape is stretched about its middle', async () => {
+  const page = await withPreset('square');
+  await drag(page, await onScreen(page, 1, 1), await onScreen(page, 1.2, 1.1));
+  await finished(page);
+  const section = page.locator('.selection-section');
+  await section.getByLabel('Extent x').fill('2.4');
+  await page.keyboard.press('Enter');
+  const xs = (await loopsOf(page))[0].map(([x]) => x);
+  assert.ok(Math.abs(Math.max(...xs) - Math.min(...xs) - 2.4) < 1e-9 && Math.abs(Math.max(...xs) + Math.min(...xs) - 1.2) < 0.02, String(xs));
+  await undo(page);
+  assert.ok(Math.max(...(await loopsOf(page))[0].map(([x]) => x)) < 1.3);
+  await close(page);
+});
+
+test('a vertex has the number by which messages and files call it', async () => {
+  const page = await withPreset('square');
+  const name = page.locator('.selection-section .in-one-line');
+  await page.click('[data-action="vertex.next"]');
+  await page.waitForFunction(() => document.querySelector('.selection-section .in-one-line').textContent === 'Vertex 0 of 0–3, loop 0');
+  await page.evaluate(() => globalThis.playground.store.change('Cross', { drawing: { regions: [{ name: '', loops: [[[0, 0], [1, 1], [1, 0], [0, 1.2]]] }], polylines: [], points: [] } }));
+  const message = await page.locator('.error-bar .details', { hasText: 'and the edge 2 of loop 0' }).textContent();
+  const [, edge] = message.match(/and the edge (\d+) of loop 0/);  // starts at the vertex of its number
+  for (let k = 0; k < Number(edge); ++k) await page.click('[data-action="vertex.next"]');
+  await name.filter({ hasText: `Vertex ${edge} of 0–3` }).waitFor();
   await close(page);
 });
 
@@ -378,6 +405,9 @@ test('a file without outlines is refused as a file: nothing offers to replace th
   await bar.getByText('text.svg').waitFor();
   assert.doesNotMatch(await bar.textContent(), /yet/);
   assert.deepEqual(await bar.getByRole('button').evaluateAll((all) => all.map((one) => one.ariaLabel ?? one.textContent)), ['Open another file', 'Close this message']);
+  assert.equal(await page.evaluate(() => globalThis.playground.store.project.preset), 'square');
+  await drop(page, 'place.geojson', '{"type": "Point", "coordinates": [0, 0]}');
+  await bar.getByText('place.geojson: It has no outline.').waitFor();
   assert.equal(await page.evaluate(() => globalThis.playground.store.project.preset), 'square');
   await drop(page, 'README.md', 'Words.');
   await bar.getByText(/Surfaces are read from .*\.stl.*domains in the plane from .*\.dxf/).waitFor();

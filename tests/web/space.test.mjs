@@ -14,6 +14,7 @@ import {
 import { layOut, quadsInPlanes } from '../../web/space/view/layout.js';
 import { nextChart, pick } from '../../web/space/view/planes.js';
 import { portionAfter, shareOf } from '../../web/space/run/runner.js';
+import { describe } from '../../web/run/words.js';
 import { messageInWords, stageInWords } from '../../web/space/run/words.js';
 import { bordersOf } from '../../web/space/view/borders.js';
 
@@ -225,6 +226,7 @@ test('the run says how it ended: with how many quads, or why without', () => {
   const run = { phase: 'done', state: { stage: 'done' }, result: { report: { quads: 2998 } }, error: null };
   assert.equal(stageInWords(run), 'done: 2,998 quads');
   assert.equal(stageInWords({ ...run, phase: 'failed', error: { code: 'TOO_MANY_ELEMENTS' } }), 'failed: this mesh would have too many elements');
+  assert.equal(stageInWords({ ...run, phase: 'failed', error: { code: 'ZERO_AREA' } }), 'failed: this surface has no area');
 });
 
 test('messages of the mesher have the names of the page and numbers that people write', () => {
@@ -232,7 +234,14 @@ test('messages of the mesher have the names of the page and numbers that people 
   assert.equal(said, 'About 55 billion elements would be needed, more than the limit of 2,000,000. Use a larger size or raise “Most elements”.');
   for (const same of ['The point (0.123456, 12345.678, 3) is not on it.', 'At 1234 of part-20000.stl.', 'size must be above 0.'])
     assert.equal(messageInWords(same), same);
-  assert.equal(messageInWords('About 1.2e+300 elements.'), 'About far too many elements.');
+  assert.equal(messageInWords('About 1.2e+300 elements.'), 'Far too many elements.');
+  for (const same of ['The points (712345, 6175000) and (1, 2) of region 0 (myPart, 20000) touch.'])
+    assert.equal(messageInWords(same), same);
+});
+
+test('the page for the plane says them the same way', () => {
+  const error = { code: 'TOO_MANY_ELEMENTS', message: 'About 1.1e+14 elements would be needed, more than the limit of 10000000. Use a larger size or raise maxElements.', where: {} };
+  assert.equal(describe({ error }), 'no mesh: About 110 trillion elements would be needed, more than the limit of 10,000,000. Use a larger size or raise “Most elements”.');
 });
 
 test('a link to a surface that there is not says which there are', () => {
@@ -255,7 +264,7 @@ test('code names the file, and options that were chosen', () => {
   const known = [{ name: 'size', default: 0 }, { name: 'featureAngle', default: 40 }, { name: 'keepGroups', default: true }];
   const work = { ...presetWork('gear'), options: { size: 0.25, featureAngle: 40, keepGroups: false } };
   assert.equal(toCommand(work, known), "lpquad mesh 'gear-surface.obj' -o gear-quads.msh --size 0.25 --no-keep-groups\n");
-  assert.match(toJavaScript(work, known), /readFileSync\("gear-surface\.obj"\)[^]*meshSurface\(surface, \{ size: 0\.25, keepGroups: false \}\)/);
+  assert.match(toJavaScript(work, known), /^\/\/ npm install lpquad; the file is that of “Surface as OBJ”\n[^]*readFileSync\("gear-surface\.obj"\)[^]*meshSurface\(surface, \{ size: 0\.25, keepGroups: false \}\)/);
   const file = { ...work, name: "it's part.STL", preset: undefined };
   assert.equal(sourceOf(file), "it's part.STL");
   assert.match(toCommand(file, known), /^lpquad mesh 'it'\\''s part\.STL' -o it-s-part-quads\.msh /);

@@ -45,6 +45,19 @@ test('a preset is meshed at once, and every layer can be shown', async () => {
   await page.context().close();
 });
 
+test('of several files that are dropped the surface is opened, wherever it stands', async () => {
+  const page = await openSpace();
+  await page.evaluate((stl) => {
+    const data = new DataTransfer();
+    for (const [name, text] of [['readme.md', 'Words.'], ['box.stl', stl]]) data.items.add(new File([text], name));
+    document.getElementById('stage').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+  }, boxStl());
+  await page.locator('#project-name', { hasText: 'box.stl' }).waitFor({ timeout: patience });
+  assert.equal(await page.locator('.notice:visible').count(), 0);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
 test('the preset on the screen is the one that is pressed, and no other once a file is', async () => {
   const page = await openSpace();
   const pressed = () => page.locator('.space-presets button[aria-pressed="true"]').evaluateAll((all) => all.map(({ dataset }) => dataset.action));

@@ -106,7 +106,7 @@ function createTab({ store, tabs }, choose) {
   const radios = ['', ...comparisons.map(({ id }) => id)].map((id) =>
     h('input', { type: 'radio', name: 'comparison', value: id, 'aria-label': withoutSubscripts(comparisonOf(id)?.title ?? 'nothing'), onchange: () => choose(id) }));
   const list = h('fieldset', { className: 'comparisons' }, h('legend', null, 'Compare on this drawing'),
-    ...radios.map((radio, i) => h('label', null, radio, ...(i === 0 ? ['nothing'] : withSubscripts(comparisons[i - 1].title)))));
+    ...radios.map((radio, i) => h('label', null, radio, h('span', null, ...(i === 0 ? ['nothing'] : withSubscripts(comparisons[i - 1].title))))));
   const differences = createDifferences();
   const body = tabs.add('compare', 'Compare', list, why, differences.element);
   const show = (/** @type {import('../figures/statistics.js').Figures[]} */ figures) => {

@@ -22,7 +22,7 @@ export function createSide(app, letter, createEngine) {
   runner.still = app.runner.still;
   runner.wantedLayers = () => app.store.project.layers;
   const name = h('span', null), told = h('output', { className: 'quiet numbers' });
-  const canvas = h('canvas', { role: 'img' });
+  const canvas = h('canvas', { role: 'img', tabIndex: 0 });  // arrow keys move the view
   const area = h('div', { className: 'side-stage' }, h('canvas', { 'aria-hidden': 'true' }), canvas);
   const element = h('div', { className: 'side', role: 'group', 'aria-label': `Mesh ${letter}` },
     h('div', { className: 'side-head' }, h('strong', null, letter), name, told), area);
@@ -38,6 +38,7 @@ export function createSide(app, letter, createEngine) {
     const good = etaMean === undefined ? '' : `, η ${etaMean.toFixed(3)}, ${fourValentPercent?.toFixed(1)} % regular`;
     const text = freshness === 'current' ? describe(runner.run) + good : 'out of date';
     setText(told, text);
+    told.title = text;  // it may be cut off
     canvas.setAttribute('aria-label', `Mesh ${letter}, ${withoutSubscripts(last?.side.name ?? '')}: ${text}`);
     area.dataset.freshness = freshness;
     stage.invalidate();

@@ -1,6 +1,7 @@
 // The mesh that may leave the page: that of what is on the screen as it is now.
 /** @import { App } from '../app' */
 /** @import { MeshResult } from '../types' */
+import { messageInWords } from '../run/words.js';
 import { haveSameMesh } from '../state/project.js';
 import { fileNameOf } from './names.js';
 
@@ -14,7 +15,7 @@ export function meshOf({ phase, result, error }, own, changing) {
   if (changing) return { mesh: null, reason: 'What is to be meshed is still changing.' };
   if (!own) return { mesh: null, reason: 'The mesh on the screen is out of date.' };
   if (result) return { mesh: result, reason: '' };
-  if (error) return { mesh: null, reason: `There is no mesh: ${error.message}` };
+  if (error) return { mesh: null, reason: `There is no mesh: ${messageInWords(error.message)}` };
   const going = phase === 'playing' || phase === 'running';
   return { mesh: null, reason: going ? 'The mesh is not finished yet.' : 'The mesh is not finished yet: run it to the end first.' };
 }

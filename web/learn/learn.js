@@ -26,7 +26,7 @@ export function installLearn(app) {
   function open(k, { figure = true } = {}) {
     at = k;
     const chapter = chapters[k], { project } = store;
-    const focused = body.contains(document.activeElement);
+    const focused = document.activeElement?.closest('[role=tabpanel]');
     tabs.open('learn');
     page.replaceChildren(...pageOf(chapter, k, app));
     if (focused) page.querySelector('h2')?.focus({ preventScroll: true });  // what had the focus is gone

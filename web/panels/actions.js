@@ -116,8 +116,8 @@ export function nameOf(event) {
 
 /** @param {KeyboardEvent} event */
 function keepsKey({ target, key, ctrlKey, metaKey }) {
+  if (document.querySelector('dialog[open]')) return true;  // its own keys, though a click on its words took the focus off it
   if (!(target instanceof HTMLElement)) return false;
-  if (target.closest('dialog')) return true;
   const typing = target instanceof HTMLInputElement && !['checkbox', 'radio', 'range', 'button'].includes(target.type)
     || target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
   if (typing) return true;

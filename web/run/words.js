@@ -1,6 +1,7 @@
 // What a run is doing, in plain words.
 /** @import { State } from 'lpquad' */
 /** @import { Run } from '../types' */
+import { nameOfOption } from '../mesh/options.js';
 
 /** What is on the screen when this stage comes next. @type {Record<State['stage'], string>} */
 const shown = {
@@ -16,7 +17,7 @@ export function stageName({ stage, iteration, maxIterations }) {
 
 /** @param {Run} run */
 export function describe({ phase, state, error, result }) {
-  if (error) return `no mesh: ${error.message}`;
+  if (error) return `no mesh: ${messageInWords(error.message)}`;
   if (phase === 'loading') return 'loading the mesher …';
   if (phase === 'cancelled') return state === null ? 'cancelled' : `cancelled at: ${stageName(state)}`;
   if (state === null) return 'starting …';
@@ -36,3 +37,22 @@ export function expectedTicks({ history, result }) {
   const after = { seeds: left, optimise: left, match: 4, clean: 3, patch: 3, smooth: 2, check: 1 };
   return last.tick + Math.max(1, after[last.stage]);
 }
+
+const manyDigits = 5;
+
+/** @param {string} message */
+const partInWords = (message) => message
+  .replace(/(?<![\w.])\d+(?:\.\d+)?e\+\d+(?![\w.]*\w)/g, (number) => written(Number(number)))
+  .replace(new RegExp(`(?<![\\w.,-])\\d{${manyDigits},}(?![\\w,-]|\\.\\w)`, 'g'), (number) => written(Number(number)))
+  .replace(/\bAbout far\b/g, 'Far')
+  .replace(/\b[a-z]+(?:[A-Z][a-z]+)+\b/g, (name) => `“${nameOfOption(name)}”`);
+
+/** @param {number} number */
+function written(number) {
+  if (number < 1e9) return number.toLocaleString('en');
+  return number < 1e15 ? number.toLocaleString('en', { notation: 'compact', compactDisplay: 'long', maximumSignificantDigits: 2 }) : 'far too many';
+}
+
+/** A message of the mesher as people write: options by their names on the page, numbers with all their digits. What is in
+ * brackets, places and names that people gave, stays as it is. @param {string} message */
+export const messageInWords = (message) => message.split(/(\([^()]*\))/).map((part, i) => (i % 2 === 1 ? part : partInWords(part))).join('');

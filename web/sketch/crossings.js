@@ -1,7 +1,7 @@
 // Where edges of a drawing meet though they must not: crossings, overlaps and touches, by the same
 // rules as the library's (core/domain/meetings.cpp), so that it need not be asked while somebody
 // draws. Edges are put into the cells of a grid one after the other and compared with those there.
-/** @import { Drawing, Point, Run } from '../types' */
+/** @import { Drawing, Point, Region, Run } from '../types' */
 import { orient } from './model/orient.js';
 
 /** @typedef {{region: number, loop: number, edge: number}} EdgeName  region -1: of a polyline */
@@ -199,8 +199,12 @@ function codeOf({ kind, one, two }) {
 
 const verbs = { crossing: 'cross', overlap: 'lie on each other', touch: 'touch', corner: 'meet in a corner' };
 
-/** @param {EdgeName} name */
-const inWords = ({ region, loop, edge }) => `edge ${edge} of ${region < 0 ? 'line' : 'loop'} ${loop}`;
+/** As the library names it. @param {EdgeName} name  @param {Region[]} regions */
+function inWords({ region, loop, edge }, regions) {
+  if (region < 0) return `edge ${edge} of polyline ${loop}`;
+  const { name } = regions[region];
+  return `edge ${edge} of loop ${loop}${regions.length < 2 ? '' : ` of region ${region}${name ? ` (${name})` : ''}`}`;
+}
 
 /**
  * What keeps a drawing from being meshed, as far as it can be seen at once; worst first, in the form
@@ -215,7 +219,7 @@ export function problemsOf(drawing) {
       const region = one.region >= 0 ? { region: one.region } : {};
       return {
         code: codeOf(meeting),
-        message: `The ${inWords(one)} and the ${inWords(two)} ${verbs[kind]}.`,
+        message: `The ${inWords(one, drawing.regions)} and the ${inWords(two, drawing.regions)} ${verbs[kind]}.`,
         where: { ...region, loop: one.loop, edge: one.edge, otherLoop: two.loop, otherEdge: two.edge, x, y },
       };
     });

@@ -7,6 +7,7 @@ import { toScreen } from '../draw/view.js';
 import { h, setText } from '../panels/dom.js';
 import { icon } from '../panels/icons.js';
 import { atNextPicture } from '../panels/next_picture.js';
+import { messageInWords } from '../run/words.js';
 import { fixesFor, placeOf } from './errors/fixes.js';
 import { titleOf } from './errors/words.js';
 import { drawPlace } from './marks.js';
@@ -58,7 +59,7 @@ export class ErrorBar {
   #current() {
     const { store, runner: { run: { phase, error, project } } } = this.#app;
     if (this.#notice) return this.#notice;
-    if (phase === 'failed' && error && project === store.project) return { title: titleOf(error.code), details: error.message, problem: error };
+    if (phase === 'failed' && error && project === store.project) return { title: titleOf(error.code), details: messageInWords(error.message), problem: error };
     const [problem, ...more] = this.#sketch.problemsOf(store.project.drawing);
     if (problem) return { title: titleOf(problem.code), details: problem.message + (more.length > 0 ? ` And ${more.length} more.` : ''), problem };
     if (phase !== 'cancelled') return null;

@@ -91,6 +91,7 @@ export function installOpening(app, show) {
       const domain = await read(await source(), name.includes('.') ? name : '');
       if (pointCount(domain) > mostPoints) throw Object.assign(
         new Error(`It has ${pointCount(domain)} points; ${mostPoints} can be edited here. The command line meshes it.`), { code: 'TOO_LARGE' });
+      if (pointCount(domain) === 0) throw Object.assign(new Error('It has no outline.'), { code: 'EMPTY' });
       take(domain, name, title);
     } catch (thrown) {
       fail(thrown, name);

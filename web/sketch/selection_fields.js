@@ -40,7 +40,7 @@ export function selectionSection({ actions, stage }, sketch) {
     if (chosen() !== wasChosen) actions.refresh();
     wasChosen = chosen();
     details.disabled = selected === null;
-    setText(name, selected ? `Vertex ${selected.vertex + 1} of ${path().length}, ${nameOf(selected)}` : 'No vertex chosen.');
+    setText(name, selected ? nameOf(sketch.drawing, selected) : 'No vertex chosen.');
     for (const field of coordinates) field.refresh();
     tag.refresh();
     shape.refresh();
@@ -74,7 +74,7 @@ function tagField(sketch) {
   };
 }
 
-/** A circle, a rectangle, or the middle of anything else. @param {Sketch} sketch  @param {() => Point[]} path */
+/** A circle, a rectangle, or the middle and extent of anything else: groups of four, so that none leaves room that another needs. @param {Sketch} sketch  @param {() => Point[]} path */
 function shapeFields(sketch, path) {
   const replace = (/** @type {Point[]} */ points, label = 'Change an outline') => {
     const { selected, drawing } = sketch;
@@ -109,10 +109,20 @@ function shapeFields(sketch, path) {
     const by = value - (middle(axis) ?? value);
     if (sketch.selected) sketch.change('Move an outline', model.shiftPath(sketch.drawing, sketch.selected, axis === 0 ? by : 0, axis === 1 ? by : 0));
   } });
+  const extent = (/** @type {number} */ axis) => {
+    const box = boxOf(path());
+    return box[axis + 2] > box[axis] ? box[axis + 2] - box[axis] : null;  // null: nothing to stretch
+  };
+  const extentField = (/** @type {string} */ label, /** @type {number} */ axis) => numberField({ label, min: 1e-300, get: () => extent(axis), set: (value) => {
+    const fixed = middle(axis), by = value / (extent(axis) ?? NaN);
+    if (fixed === null || !Number.isFinite(by)) return;
+    const stretched = (/** @type {number} */ at) => fixed + by * (at - fixed);
+    replace(path().map(([x, y]) => axis === 0 ? [stretched(x), y] : [x, stretched(y)]), 'Stretch an outline');
+  } });
   const groups = [
     group('Circle', [roundField('Centre x', 'x'), roundField('Centre y', 'y'), roundField('Radius', 'radius', { min: 1e-300 }), roundField('Points', 'count', { min: 3, whole: true })]),
     group('Rectangle', [boxField('Left', 'left'), boxField('Bottom', 'bottom'), boxField('Width', 'width', { min: 1e-300 }), boxField('Height', 'height', { min: 1e-300 })]),
-    group('Outline', [middleField('Middle x', 0), middleField('Middle y', 1)]),
+    group('Outline', [middleField('Middle x', 0), middleField('Middle y', 1), extentField('Extent x', 0), extentField('Extent y', 1)]),
   ];
   return { groups, refresh: () => {
     const { round, box } = now();

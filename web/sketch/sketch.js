@@ -136,14 +136,17 @@ export class Sketch {
   /** @param {Place} place */
   describe(place) {
     const [x, y] = vertexAt(this.drawing, place) ?? [0, 0];
-    return `Vertex ${place.vertex + 1} of ${pathOf(this.drawing, place).length}, ${nameOf(place)}, at ${short(x)}, ${short(y)}`;
+    return `${nameOf(this.drawing, place)}, at ${short(x)}, ${short(y)}`;
   }
 }
 
-/** @param {{region: number, loop: number}} place */
-export function nameOf({ region, loop }) {
-  if (region === -1) return `line ${loop + 1}`;
-  return region === -2 ? `point ${loop + 1}` : `region ${region + 1}, loop ${loop + 1}`;
+/** Counted from 0, as in the messages of the mesher, the inspector and the files. @param {Drawing} drawing  @param {Place} place */
+export function nameOf(drawing, place) {
+  const { region, loop, vertex } = place;
+  if (region === -2) return `Point ${loop} of 0–${drawing.points.length - 1}`;
+  const path = region === -1 ? `polyline ${loop}` : `loop ${loop}`;
+  const within = region >= 0 && drawing.regions.length > 1 ? ` of region ${region}` : '';
+  return `Vertex ${vertex} of 0–${pathOf(drawing, place).length - 1}, ${path}${within}`;
 }
 
 /** As many digits as a person wants to read. @param {number} value */

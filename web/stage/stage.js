@@ -18,6 +18,9 @@ import { Painter } from './painter.js';
  * @property {boolean} [inspects]  whether hovering and clicking tell of the mesh; without: only of the tool 'edit'
  */
 
+/** Across and down. @type {Record<string, [number, number]>} */
+const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+
 const tapReach = 4;  // pixels that a finger may move in a tap
 
 /** @param {Point} a  @param {Point} b */
@@ -60,7 +63,7 @@ export class Stage {
     for (const name of /** @type {const} */ (['pointerup', 'pointercancel']))
       this.overlay.addEventListener(name, (event) => this.#up(event));
     this.overlay.addEventListener('keydown', (event) => {
-      if (!event.defaultPrevented && this.#tool.key?.(event)) event.preventDefault();
+      if (!event.defaultPrevented && (this.#tool.key?.(event) || this.#panByKey(event))) event.preventDefault();
     });
     this.overlay.addEventListener('wheel', (event) => this.#wheel(event), { passive: false });
     this.#resize();
@@ -103,6 +106,20 @@ export class Stage {
     this.#fitted = false;
     this.looked(view);
     this.invalidate();
+  }
+
+  /** About the middle. @param {number} factor */
+  zoom(factor) {
+    this.look(zoomAt(this.view, factor, this.view.width / 2, this.view.height / 2));
+  }
+
+  /** Towards what an arrow points at. @param {KeyboardEvent} event  @returns {boolean} */
+  #panByKey({ key, ctrlKey, metaKey, altKey }) {
+    const [x, y] = arrows[key] ?? [0, 0];
+    if ((x === 0 && y === 0) || ctrlKey || metaKey || altKey) return false;
+    const by = 0.1 * Math.min(this.view.width, this.view.height);
+    this.look(pan(this.view, -by * x, -by * y));
+    return true;
   }
 
   /** @param {'all' | 'overlay'} [what] */

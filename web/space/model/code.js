@@ -18,9 +18,10 @@ export function toJavaScript(work, known) {
   const source = JSON.stringify(sourceOf(work));
   const options = chosenOf(work, known).map(([name, value]) => `${name}: ${JSON.stringify(value)}`);
   const isCad = isCadName(work.name);
-  return `import { readFileSync, writeFileSync } from 'node:fs';
+  return `// npm install lpquad${isCad ? ' occt-import-js' : ''}${work.preset === undefined ? '' : '; the file is that of “Surface as OBJ”'}
+import { readFileSync, writeFileSync } from 'node:fs';
 import { createLpquad } from 'lpquad';
-${isCad ? "import { readCad } from 'lpquad/cad';  // with the package occt-import-js\n" : ''}
+${isCad ? "import { readCad } from 'lpquad/cad';\n" : ''}
 const lpquad = await createLpquad();
 const surface = await ${isCad ? 'readCad' : 'lpquad.readSurface'}(readFileSync(${source}), { name: ${source} });
 const mesh = await lpquad.meshSurface(surface, { ${options.join(', ')} });

@@ -26,10 +26,11 @@ async function read({ runner, notify }, file, signal) {
   }
 }
 
-const isOf = (/** @type {RegExp} */ endings) => (/** @type {string} */ name) => endings.test(name);
+const isSurface = (/** @type {string} */ name) => isCadName(name) || ofSpace.test(name);
+const isKnown = (/** @type {string} */ name) => isSurface(name) || ofThePlane.test(name);
 
 /** What is wrong with a file in words that name all that the page reads. @param {string} name  @param {unknown} error */
-const problemWith = (name, error) => `${name} could not be opened: ${[isCadName, isOf(ofSpace), isOf(ofThePlane)].some((known) => known(name)) ? /** @type {Error} */ (error).message
+const problemWith = (name, error) => `${name} could not be opened: ${isKnown(name) ? /** @type {Error} */ (error).message
   : 'the page knows files by their endings, and takes .stl, .obj, .ply, .off, .msh, .step, .iges and .brep; drawings go to the page Plane.'}`;
 
 /** Shows that files may be dropped, and takes them. @param {HTMLElement} mark  @param {(files: File[]) => Promise<void>} open
@@ -52,7 +53,8 @@ export function installOpening(app, stage) {
   const { store, actions, announce, notify } = app;
   let latest = new AbortController();
   /** @param {File[]} files */
-  async function open([file]) {
+  async function open(files) {
+    const file = files.find(({ name }) => isSurface(name)) ?? files.find(({ name }) => isKnown(name)) ?? files[0];
     if (file === undefined) return;
     if (file.size > mostBytes) return notify(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB; the page takes 256.`);
     announce(`Opening ${file.name}`);

@@ -2,9 +2,8 @@
 /** @import { SpaceApp } from '../types' */
 import { h, setText } from '../../panels/dom.js';
 import { icon } from '../../panels/icons.js';
-import { titleOf } from '../../sketch/errors/words.js';
 import { haveSameMesh, workOf } from '../model/work.js';
-import { messageInWords } from '../run/words.js';
+import { messageInWords, titleOf } from '../run/words.js';
 
 /** @param {SpaceApp} app  @param {HTMLElement} view */
 export function installProblem(app, view) {

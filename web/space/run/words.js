@@ -1,9 +1,8 @@
 // What a run of surfaces is doing, and why it failed, in plain words.
 /** @import { SurfaceProgress } from 'lpquad' */
 /** @import { SurfaceRun } from '../types' */
-import { nameOfOption } from '../../mesh/options.js';
 import { counted } from '../../run/words.js';
-import { titleOf } from '../../sketch/errors/words.js';
+import { titleOf as titleInThePlane } from '../../sketch/errors/words.js';
 
 /** @type {Record<SurfaceProgress['stage'], string>} */
 const names = {
@@ -13,6 +12,17 @@ const names = {
 
 /** By what reports call the stages: two of theirs are never on the screen. @type {Record<string, string>} */
 export const stageNames = { ...names, repair: 'repairing the surface', summary: 'measuring the mesh' };
+
+/** What differs where there is a surface and no outline. @type {Record<string, string>} */
+const titles = {
+  EMPTY: 'There is no surface to mesh.',
+  ZERO_AREA: 'This surface has no area.',
+  BAD_SIZE: 'The mesh size does not fit this surface.',
+  NO_VALID_MESH: 'No good mesh was found for this surface.',
+};
+
+/** @param {string} code */
+export const titleOf = (code) => titles[code] ?? titleInThePlane(code);
 
 /** Where the run is. @param {SurfaceRun} run */
 export function stageInWords({ phase, state, error, paused, result }) {
@@ -27,17 +37,4 @@ export function stageInWords({ phase, state, error, paused, result }) {
 /** In the middle of a sentence. @param {string} code */
 const shortTitle = (code) => titleOf(code).replace(/\.$/, '').replace(/^./, (first) => first.toLowerCase());
 
-const manyDigits = 5;
-
-/** A message of the mesher as people write: options by their names on the page, numbers with all their digits.
- * @param {string} message */
-export const messageInWords = (message) => message
-  .replace(/(?<![\w.])\d+(?:\.\d+)?e\+\d+(?![\w.]*\w)/g, (number) => written(Number(number)))
-  .replace(new RegExp(`(?<![\\w.,-])\\d{${manyDigits},}(?![\\w,-]|\\.\\w)`, 'g'), (number) => written(Number(number)))
-  .replace(/\b[a-z]+(?:[A-Z][a-z]+)+\b/g, (name) => `“${nameOfOption(name)}”`);
-
-/** @param {number} number */
-function written(number) {
-  if (number < 1e9) return number.toLocaleString('en');
-  return number < 1e15 ? number.toLocaleString('en', { notation: 'compact', compactDisplay: 'long', maximumSignificantDigits: 2 }) : 'far too many';
-}
+export { messageInWords } from '../../run/words.js';

@@ -1,0 +1,93 @@
+// What is in the panels sits where it belongs: nothing lower than it must be, nothing broken, nothing out of sight.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { finished, startPlayground } from './support.mjs';
+
+let playground;
+before(async () => { playground = await startPlayground(); });
+after(() => playground.close());
+
+async function onPage(how, what) {
+  const page = await playground.open(how);
+  await finished(page);
+  await what(page);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+}
+
+for (const place of ['', 'space.html#preset=saddle&size=0.25'])
+  test(`every tab begins at its top: ${place || 'plane'}`, () => onPage({ hash: place, width: 1280 }, async (page) => {
+    for (const tab of await page.getByRole('tab').all()) {
+      await tab.click();
+      const gap = await page.locator('.tab-body:not([hidden])').evaluate((body) => {
+        const words = document.createTreeWalker(body, NodeFilter.SHOW_ELEMENT);
+        while (words.nextNode()) {
+          const box = words.currentNode.getBoundingClientRect();
+          if (box.height > 0 && words.currentNode.matches('h2, h3, p, button, legend, label, input')) return box.top - body.getBoundingClientRect().top;
+        }
+        return NaN;
+      });
+      assert.ok(gap <= 18, `${await tab.textContent()}: ${gap} px`);
+    }
+  }));
+
+test('numbers of a vertex leave no room that others need, whatever is chosen', () => onPage({ width: 768, height: 1024 }, async (page) => {
+  const gap = () => page.locator('.one-of').evaluate((element) => {
+    const shown = [...element.children].find((group) => !group.classList.contains('away'));
+    return element.getBoundingClientRect().bottom - shown.lastElementChild.getBoundingClientRect().bottom;
+  });
+  assert.ok(await gap() < 12, `${await gap()} px`);
+  await page.click('[data-action="vertex.next"]');  // of the rectangle
+  await page.locator('.one-of > [aria-label="Rectangle"]:not(.away)').waitFor();
+  assert.ok(await gap() < 12);
+}));
+
+test('L with a lower p is one word where meshes are compared', () => onPage({}, async (page) => {
+  await page.getByRole('tab', { name: 'Compare' }).click();
+  const gap = await page.locator('.comparisons label', { hasText: 'with L' }).evaluate((label) => {
+    const sub = label.querySelector('sub'), before = document.createRange();
+    before.selectNodeContents(sub.previousSibling);
+    return sub.getBoundingClientRect().left - before.getBoundingClientRect().right;
+  });
+  assert.ok(Math.abs(gap) < 1, `${gap} px`);
+}));
+
+test('the ends of a ramp are never broken, and what is between them is level', async () => {
+  const page = await playground.open({ hash: '#chapter=norm', width: 768, height: 1024 });
+  await page.getByRole('tab', { name: 'Layers' }).click();
+  await page.locator('.ramp-ends', { hasText: '≥ 4' }).waitFor();
+  const boxes = await page.locator('.ramp-ends').evaluate((ends) => [...ends.children].map((one) => one.getBoundingClientRect().toJSON()));
+  assert.equal(boxes.length, 3);
+  for (const end of [boxes[0], boxes[2]]) assert.ok(end.height < 24, `${end.height} px`);
+  assert.ok(Math.max(...boxes.map(({ top }) => top)) - Math.min(...boxes.map(({ top }) => top)) < 1);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+for (const place of ['', 'space.html#preset=saddle&size=0.25'])
+  for (const width of [320, 360, 390])
+    test(`all tabs are in sight, whichever is open: ${place || 'plane'}, ${width} px`, () => onPage({ hash: place, width, height: 740 }, async (page) => {
+      for (const tab of await page.getByRole('tab').all()) {
+        await tab.click();
+        const [shown, all] = await page.locator('.tabs').evaluate(({ clientWidth, scrollWidth }) => [clientWidth, scrollWidth]);
+        assert.ok(all <= shown, `${await tab.textContent()}: ${all} of ${shown} px`);
+      }
+    }));
+
+for (const width of [320, 768, 1440])
+  test(`formulas are complete: ${width} px`, () => onPage({ width, height: 900 }, async (page) => {
+    await page.getByRole('tab', { name: 'Learn' }).click();
+    const chapters = page.locator('.chapters a');
+    for (let k = 0; k < await chapters.count(); ++k) {
+      await chapters.nth(k).click();
+      const [wide, high] = await page.locator('.formula').evaluate((f) => [f.scrollWidth - f.clientWidth, f.scrollHeight - f.clientHeight]);
+      assert.ok(wide <= 0 && high <= 0, `${await chapters.nth(k).textContent()}: ${wide} px too wide, ${high} px too high`);
+    }
+  }));
+
+test('the sign of a problem is beside its title', () => onPage({ hash: 'space.html#preset=saddle&size=0.25', width: 360, height: 740 }, async (page) => {
+  await page.evaluate(() => globalThis.playground.store.change('Too small', { options: { size: 1e-9 } }));
+  await page.locator('.error-bar:not([hidden])').waitFor();
+  const [sign, title] = await page.locator('.error-bar .words').evaluate(({ children: [a, b] }) => [a, b].map((one) => one.getBoundingClientRect().toJSON()));
+  assert.ok(sign.right <= title.left + 1 && Math.abs(sign.top - title.top) < 8, JSON.stringify([sign, title]));
+}));
