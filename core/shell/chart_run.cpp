@@ -110,10 +110,10 @@ MeshCost cost_of(const QuadMesh& quads) {
 }
 
 /// Tries with a field of their own: sizes a little off make other meshes, some with fewer irregular
-/// vertices; more tries gain hardly anything, and in large faces the share of the vertices that
-/// could gain is small.
+/// vertices; more tries gain hardly anything. In small faces there is nothing to gain, in large
+/// ones the share of the vertices that could is small.
 constexpr std::array<double, 5> size_factors{1, 0.97, 1.03, 0.94, 1.06};
-constexpr double most_quads = 1000;
+constexpr double fewest_quads = 50, most_quads = 1000;
 
 }  // namespace
 
@@ -167,8 +167,9 @@ bool ChartRun::take_grid(const Options& options) {
 /// Is there hope for a better mesh?
 bool ChartRun::may_gain(bool took_grid) const {
   if (tries_ == 0) return !took_grid || cost_.irregularity > 0;
-  return tries_ < size_factors.size() && !(best_ && cost_.irregularity == 0) &&
-         cell_capacity(fields_) < most_quads;
+  const double quads = cell_capacity(fields_);
+  return tries_ < size_factors.size() && quads > fewest_quads && quads < most_quads &&
+         !(best_ && cost_.irregularity == 0);
 }
 
 bool ChartRun::begin_again(const Options& options) {

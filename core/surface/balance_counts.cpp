@@ -12,7 +12,7 @@ namespace lpq {
 namespace {
 
 // An edge by which opposite sides differ costs a pair of irregular vertices.
-constexpr double price_of_edge = 0.35;
+constexpr double price_of_edge = 0.3;
 // In a narrow ring there is no room for them.
 constexpr double price_in_ring = 0.9;
 // An odd sum cannot stay: it will be made even at the expense of some curve. At first it may, so
