@@ -25,9 +25,9 @@ template <class T, class Before>
 void sort_values(std::vector<T>& values, const Before& before) {
   std::vector<T> sorted;
   sorted.reserve(values.size());
-  for (const Index i : sorted_numbers(
-           values.size(), [&](Index i, Index j) { return before(values[i], values[j]); }))
-    sorted.push_back(std::move(values[i]));
+  const auto by_value = [&](Index i, Index j) { return before(values[i], values[j]); };
+  for (const Index k : sorted_numbers(values.size(), by_value))
+    sorted.push_back(std::move(values[k]));
   values = std::move(sorted);
 }
 

@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "base/csr.h"
 #include "base/disjoint_sets.h"
+#include "base/sort_numbers.h"
 #include "domain/box_tree.h"
 #include "domain/directions.h"
 #include "geometry/predicates.h"
@@ -67,10 +68,10 @@ void PartFinder::build_fans() {
 }
 
 void PartFinder::join_sectors(Index vertex) {
-  const auto fan = fans_.row(vertex);
+  const auto row = fans_.row(vertex);
+  std::vector<Spoke> fan(row.begin(), row.end());
   const Counterclockwise before{at(vertex)};
-  std::sort(fan.begin(), fan.end(),
-            [&](const Spoke& s, const Spoke& t) { return before(at(s.far), at(t.far)); });
+  sort_values(fan, [&](const Spoke& s, const Spoke& t) { return before(at(s.far), at(t.far)); });
   for (std::size_t i = 0; i < fan.size(); ++i)
     sides_.unite(fan[i].left, fan[(i + 1) % fan.size()].right);
 }

@@ -9,6 +9,7 @@
 
 #include "base/csr.h"
 #include "base/disjoint_sets.h"
+#include "base/sort_numbers.h"
 #include "domain/box_tree.h"
 #include "domain/directions.h"
 #include "domain/outline.h"
@@ -96,9 +97,10 @@ void SideSettler::build_fans() {
 
 void SideSettler::sort_fan(Index vertex, std::span<Spoke> fan) const {
   const Counterclockwise before{at(vertex)};
+  std::vector<Spoke> sorted(fan.begin(), fan.end());
   // No two spokes have the same direction: they would overlap.
-  std::sort(fan.begin(), fan.end(),
-            [&](const Spoke& s, const Spoke& t) { return before(at(s.far), at(t.far)); });
+  sort_values(sorted, [&](const Spoke& s, const Spoke& t) { return before(at(s.far), at(t.far)); });
+  std::copy(sorted.begin(), sorted.end(), fan.begin());
 }
 
 Problem SideSettler::settle_fan(Index vertex) {

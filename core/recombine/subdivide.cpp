@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/sort_numbers.h"
+
 namespace lpq {
 namespace {
 
@@ -20,8 +22,7 @@ std::vector<NumberedEdge> sorted_edges(const BoundaryMesh& boundary) {
   const Index nodes = static_cast<Index>(boundary.points.size());
   for (Index k = 0; k < static_cast<Index>(boundary.edges.size()); ++k)
     edges.push_back({undirected(boundary.edges[k].a, boundary.edges[k].b), nodes + k});
-  std::sort(edges.begin(), edges.end(),
-            [](const NumberedEdge& a, const NumberedEdge& b) { return a.edge < b.edge; });
+  sort_values(edges, [](const NumberedEdge& a, const NumberedEdge& b) { return a.edge < b.edge; });
   return edges;
 }
 

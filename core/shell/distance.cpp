@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/sort_numbers.h"
 #include "shell/face_fans.h"
 #include "shell/nearest_triangle.h"
 #include "shell/triangle_places.h"
@@ -38,7 +39,7 @@ Samples fan_samples(const FaceFans& fans) {
     result.weight[b] += 0.5 * quarter;
     sides.push_back({{std::min(a, b), std::max(a, b)}, 2 * quarter});
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
+  sort_values(sides, [](const Side& s, const Side& t) {
     return s.ends != t.ends ? s.ends < t.ends : s.weight < t.weight;
   });
   for (std::size_t i = 0; i < sides.size(); ++i) {

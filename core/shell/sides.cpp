@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/sort_numbers.h"
+
 namespace lpq {
 
 std::vector<FaceSide> sides_by_edge(std::span<const Face> faces) {
@@ -13,7 +15,7 @@ std::vector<FaceSide> sides_by_edge(std::span<const Face> faces) {
       const Index a = faces[f][k], b = faces[f][(k + 1) % n];
       sides.push_back({{std::min(a, b), std::max(a, b)}, a < b, f, k});
     }
-  std::sort(sides.begin(), sides.end(), [](const FaceSide& s, const FaceSide& t) {
+  sort_values(sides, [](const FaceSide& s, const FaceSide& t) {
     return std::tie(s.ends, s.face, s.corner) < std::tie(t.ends, t.face, t.corner);
   });
   return sides;

@@ -165,13 +165,16 @@ void WindowMaker::lay_out(const ShellMesh& shell, Window& window) {
     all.insert(all.end(), shell.faces[f].begin(), shell.faces[f].end());
   sort_unique(all);
   const std::vector<Index> border = border_origins(shell, window.faces);
-  const auto middle = std::stable_partition(all.begin(), all.end(), [&](Index v) {
-    return shell.pinned[v] || std::binary_search(border.begin(), border.end(), v);
-  });
-  QuadMesh& quads = window.quads;
-  quads.fixed = static_cast<Index>(middle - all.begin());
-  std::vector<std::pair<Index, Index>> number;
+  std::vector<Index> order, movable;
   for (const Index v : all) {
+    const bool fixed = shell.pinned[v] || std::binary_search(border.begin(), border.end(), v);
+    (fixed ? order : movable).push_back(v);
+  }
+  QuadMesh& quads = window.quads;
+  quads.fixed = static_cast<Index>(order.size());
+  order.insert(order.end(), movable.begin(), movable.end());
+  std::vector<std::pair<Index, Index>> number;
+  for (const Index v : order) {
     number.push_back({v, static_cast<Index>(quads.points.size())});
     quads.points.push_back(in_plane(shell, window.chart, v));
   }
@@ -191,7 +194,7 @@ void WindowMaker::lay_out(const ShellMesh& shell, Window& window) {
   }
   quads.region.assign(quads.faces.size(), 0);
   sort_unique(quads.walls);
-  window.vertex = std::move(all);
+  window.vertex = std::move(order);
 }
 
 std::optional<Window> WindowMaker::open(const ShellMesh& shell, const ShellStars& stars,

@@ -78,10 +78,10 @@ class SumMaker {
   }
 
   void add_face(const std::vector<const FaceBorder*>& around) {
-    std::vector<const FaceBorder*> others;
+    std::vector<const FaceBorder*> others, round;
     for (const FaceBorder* border : around) {
       if (border->turns != right_angles_round && border->turns != -right_angles_round) {
-        others.push_back(border);
+        (border->round ? round : others).push_back(border);
         continue;
       }
       for (const Index direction : {0, 1}) {
@@ -89,9 +89,7 @@ class SumMaker {
         end_sum(false);
       }
     }
-    if (others.size() > 2)
-      std::stable_partition(others.begin(), others.end(),
-                            [](const FaceBorder* b) { return !b->round; });
+    others.insert(others.end(), round.begin(), round.end());
     const bool only_holes_left =
         std::all_of(others.begin() + std::min<std::size_t>(others.size(), 2), others.end(),
                     [](const FaceBorder* b) { return b->round; });

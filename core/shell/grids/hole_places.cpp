@@ -3,14 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "shell/grids/springs.h"
 
 namespace lpq {
 namespace {
-
-constexpr std::size_t most_maps = 12;
 
 LatticePlace nearest_place(Vec2 p) {
   return {static_cast<Index>(std::floor(p.x + 0.5)), static_cast<Index>(std::floor(p.y + 0.5))};
@@ -23,14 +20,17 @@ double off_lattice(Vec2 p) {
   return std::max(std::fabs(off.x), std::fabs(off.y));
 }
 
-/// Shifts of the loops from the `placed`-th on, in the map that leaves them free.
+// So many times at most the map is made.
+constexpr std::size_t most_maps = 12;
+
+/// Shifts of the loops that are not placed yet, in the map that leaves them free; in their order.
 std::vector<Vec2> harmonic_shifts(const TriMesh& triangles, const std::vector<LatticeLoop>& loops,
-                                  std::size_t placed) {
+                                  const std::vector<char>& placed) {
   std::vector<Index> body(triangles.points.size(), none);
   std::vector<Vec2> place(body.size());
   Index bodies = 0;
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    const Index shifted = k < placed ? none : bodies++;
+    const Index shifted = placed[k] ? none : bodies++;
     for (std::size_t i = 0; i < loops[k].nodes.size(); ++i) {
       body[loops[k].nodes[i]] = shifted;
       place[loops[k].nodes[i]] = point_at(loops[k].places[i]);
@@ -41,28 +41,39 @@ std::vector<Vec2> harmonic_shifts(const TriMesh& triangles, const std::vector<La
   Springs springs(std::move(body), std::move(place), bodies);
   for (Index e = 0; e < 3 * triangles.triangle_count(); ++e)
     springs.add(triangles.origin(e), triangles.target(e));
-  std::vector<Vec2> shifts = springs.rest();
-  if (!shifts.empty()) shifts.resize(loops.size() - placed);
-  return shifts;
+  return springs.rest();
+}
+
+/// The loop that is nearest to a place of the lattice goes there.
+void place_nearest(const std::vector<Vec2>& shifts, const std::vector<char>& was_placed,
+                   std::vector<LatticeLoop>& loops, std::vector<char>& placed) {
+  std::size_t nearest = 0, at = 0;
+  Vec2 shift{0.5, 0.5};
+  double least = 1;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    if (was_placed[k]) continue;
+    const Vec2 s = shifts[at++];
+    if (placed[k] || !(off_lattice(s) < least)) continue;
+    least = off_lattice(s);
+    nearest = k;
+    shift = s;
+  }
+  placed[nearest] = 1;
+  for (LatticePlace& p : loops[nearest].places) p = p + nearest_place(shift);
 }
 
 }  // namespace
 
 bool place_holes(const TriMesh& triangles, std::vector<LatticeLoop>& loops) {
-  const std::size_t at_once = (loops.size() - 1 + most_maps - 1) / most_maps;
-  for (std::size_t placed = 1; placed < loops.size();) {
-    const std::vector<Vec2> shifts = harmonic_shifts(triangles, loops, placed);
+  std::vector<char> placed(loops.size(), 0);
+  placed[0] = 1;
+  const std::size_t holes = loops.size() - 1, at_once = (holes + most_maps - 1) / most_maps;
+  for (std::size_t count = 0; count < holes;) {
+    const std::vector<char> was_placed = placed;
+    const std::vector<Vec2> shifts = harmonic_shifts(triangles, loops, was_placed);
     if (shifts.empty()) return false;
-    std::vector<std::size_t> order(shifts.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return off_lattice(shifts[a]) < off_lattice(shifts[b]);
-    });
-    std::vector<LatticeLoop> sorted;
-    for (const std::size_t k : order) sorted.push_back(std::move(loops[placed + k]));
-    std::move(sorted.begin(), sorted.end(), loops.begin() + static_cast<std::ptrdiff_t>(placed));
-    for (std::size_t k = 0; k < std::min(at_once, order.size()); ++k, ++placed)
-      for (LatticePlace& p : loops[placed].places) p = p + nearest_place(shifts[order[k]]);
+    for (std::size_t k = 0; k < at_once && count < holes; ++k, ++count)
+      place_nearest(shifts, was_placed, loops, placed);
   }
   return true;
 }

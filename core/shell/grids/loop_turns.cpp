@@ -31,11 +31,14 @@ struct Turning {
   double turn = 0;              // quarter turns to the left in the plane
 };
 
-std::vector<Turning> turnings_of(std::span<const Vec2> points) {
+/// From the node `first` on.
+std::vector<Turning> turnings_of(std::span<const Vec2> points, std::size_t first) {
   const std::size_t n = points.size();
   std::vector<double> angle(n);
-  for (std::size_t k = 0; k < n; ++k)
-    angle[k] = sector_angle(points[k], points[(k + 1) % n], points[(k + n - 1) % n]);
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t at = first + k;
+    angle[k] = sector_angle(points[at % n], points[(at + 1) % n], points[(at + n - 1) % n]);
+  }
   std::vector<Turning> turnings(n);
   for (std::size_t k = 0; k < n; ++k) {
     const bool either = is_hollow_bend(angle[(k + n - 1) % n]) && is_hollow_bend(angle[k]) &&
@@ -63,7 +66,7 @@ class WayRound {
     line_ = line;
     reach_ = line.empty() ? 0 : widest_reach;
     side_ = 2 * reach_ + 1;
-    came_.assign(nodes_.size(), {});
+    came_.assign(nodes_.size() * state_count(), 0);
     price_.assign(state_count(), infinity);
     price_[state(0, {reach_, reach_})] = 0;
     double heading = off_;
@@ -92,7 +95,6 @@ class WayRound {
   /// From edge k - 1 over node k to edge k, which has this heading in the plane.
   void pass(std::size_t k, double heading) {
     next_.assign(state_count(), infinity);
-    came_[k].assign(state_count(), 0);
     for (Index from = -most_turns; from <= most_turns; ++from)
       for (Index turn = -1; turn <= 1; ++turn) {
         const Index to = from + turn;
@@ -114,7 +116,7 @@ class WayRound {
         const std::size_t s = state(from + turn, off);
         if (!(sum < next_[s])) continue;
         next_[s] = sum;
-        came_[k][s] = static_cast<signed char>(turn);
+        came_[k * state_count() + s] = static_cast<signed char>(turn);
       }
   }
 
@@ -136,7 +138,7 @@ class WayRound {
     std::vector<Index> way(nodes_.size());
     for (std::size_t k = way.size() - 1; k > 0; --k) {
       way[k] = direction;
-      const Index turn = came_[k][state(direction, off)];
+      const Index turn = came_[k * state_count() + state(direction, off)];
       off = off - drift(k, direction);
       direction -= turn;
     }
@@ -149,8 +151,8 @@ class WayRound {
   Index turns_;
   std::span<const Index> line_;
   Index reach_ = 0, side_ = 1;
-  std::vector<double> price_, next_;            // of states at this edge and the next
-  std::vector<std::vector<signed char>> came_;  // #points  the turn that led to a state
+  std::vector<double> price_, next_;  // of states at this edge and the next
+  std::vector<signed char> came_;     // #points #states  the turn that led there
 };
 
 bool closes(std::span<const Index> way) {
@@ -181,19 +183,18 @@ Start start_of(std::span<const Vec2> points, double axis) {
 }  // namespace
 
 std::vector<Index> loop_turns(std::span<const Vec2> points, double axis) {
-  if (points.size() > most_edges) return {};
+  const std::size_t n = points.size();
+  if (n > most_edges) return {};
   const Start start = start_of(points, axis);
-  std::vector<Turning> nodes = turnings_of(points);
+  std::vector<Turning> nodes = turnings_of(points, start.edge);
   double turns = 0;
   for (const Turning& node : nodes) turns += node.turn;
-  const auto first = static_cast<std::ptrdiff_t>(start.edge);
-  std::rotate(nodes.begin(), nodes.begin() + first, nodes.end());
   WayRound way(std::move(nodes), start.off, turns > 0 ? 4 : -4);
-  std::vector<Index> directions = way.run({});
-  if (!closes(directions)) directions = way.run(std::vector<Index>(directions));
-  for (Index& d : directions) d += start.direction;
-  if (!directions.empty())
-    std::rotate(directions.begin(), directions.end() - first, directions.end());
+  std::vector<Index> found = way.run({});
+  if (!closes(found)) found = way.run(std::vector<Index>(found));
+  if (found.empty()) return {};
+  std::vector<Index> directions(n);
+  for (std::size_t k = 0; k < n; ++k) directions[(start.edge + k) % n] = start.direction + found[k];
   return directions;
 }
 

@@ -13,8 +13,9 @@
 namespace lpq {
 namespace {
 
-/// The border's loops, the domain on their left; empty if something divides the inside.
-std::vector<std::vector<Index>> loops_of(const BoundaryMesh& boundary) {
+/// The nodes of the border's loops, the domain on their left; empty if something divides the
+/// inside.
+std::vector<LatticeLoop> loops_of(const BoundaryMesh& boundary) {
   std::vector<Index> next(boundary.points.size(), none);
   for (const Segment& edge : boundary.edges) {
     const bool inside = edge.left != none && edge.right != none;
@@ -22,15 +23,15 @@ std::vector<std::vector<Index>> loops_of(const BoundaryMesh& boundary) {
     if (inside || next[from] != none) return {};
     next[from] = edge.left != none ? edge.b : edge.a;
   }
-  std::vector<std::vector<Index>> loops;
+  std::vector<LatticeLoop> loops;
   std::vector<char> done(next.size(), 0);
-  for (Index first = 0; first < static_cast<Index>(next.size()); ++first) {
+  for (std::size_t first = 0; first < next.size(); ++first) {
     if (done[first]) continue;
     loops.emplace_back();
-    for (Index v = first; !done[v]; v = next[v]) {
+    for (auto v = static_cast<Index>(first); !done[v]; v = next[v]) {
       if (next[v] == none) return {};
       done[v] = 1;
-      loops.back().push_back(v);
+      loops.back().nodes.push_back(v);
     }
   }
   return loops;
@@ -48,26 +49,22 @@ double axis_of(const BoundaryMesh& boundary) {
   return arc_tangent(sum.y, sum.x) / 4;
 }
 
-/// All loops on the lattice, the outer one first, each beginning at {0, 0}; empty if one does not
-/// close.
-std::vector<LatticeLoop> lay_loops(const BoundaryMesh& boundary) {
-  std::vector<LatticeLoop> loops;
+/// Lays all loops, each beginning at {0, 0}, the outer one first. False if one does not close.
+bool lay_loops(const BoundaryMesh& boundary, std::vector<LatticeLoop>& loops) {
   const double axis = axis_of(boundary);
-  for (std::vector<Index>& nodes : loops_of(boundary)) {
-    std::vector<Vec2> points;
-    for (const Index v : nodes) points.push_back(boundary.points[v]);
-    const std::vector<Index> directions = loop_turns(points, axis);
-    if (directions.empty()) return {};
-    LatticeLoop& loop = loops.emplace_back();
-    loop.nodes = std::move(nodes);
+  std::vector<Vec2> points;
+  for (LatticeLoop& loop : loops) {
+    points.clear();
+    for (const Index v : loop.nodes) points.push_back(boundary.points[v]);
     LatticePlace place;
-    for (const Index d : directions) {
+    for (const Index d : loop_turns(points, axis)) {
       loop.places.push_back(place);
       place = place + lattice_step(d);
     }
+    if (loop.places.empty()) return false;
     if (signed_area(points) > 0) std::swap(loops.front(), loop);
   }
-  return loops;
+  return !loops.empty();
 }
 
 constexpr double most_off = 1.5;
@@ -112,9 +109,9 @@ bool make_convex(QuadMesh& grid) {
 
 std::optional<QuadMesh> submapped_grid(const BoundaryMesh& boundary, const TriMesh& triangles,
                                        double wanted) {
-  std::vector<LatticeLoop> loops = lay_loops(boundary);
+  std::vector<LatticeLoop> loops = loops_of(boundary);
+  if (!lay_loops(boundary, loops)) return std::nullopt;
   const auto nodes = static_cast<Index>(boundary.points.size());
-  if (loops.empty()) return std::nullopt;
   if (loops.size() > 1 && (triangles.fixed != nodes || !place_holes(triangles, loops)))
     return std::nullopt;
   const auto border = static_cast<double>(boundary.edges.size());
