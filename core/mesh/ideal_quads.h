@@ -1,4 +1,4 @@
-// How many quads fit an angle: what the matching, the clean-up and mapped grids want at a boundary.
+// How many quads fit an angle: what the matching, the clean-up and grids want at a boundary.
 #pragma once
 
 #include "base/index.h"

@@ -99,6 +99,7 @@ test('is paused and goes on with the space bar; speed is remembered for the sess
   await page.locator('#overlay-canvas').focus();
   await page.keyboard.press('Space');
   await page.waitForFunction(() => globalThis.playground.runner.run.phase === 'paused');
+  await page.waitForTimeout(300);  // a step that was under way still ends
   const before = await picture(page);
   await page.waitForTimeout(300);
   assert.deepEqual(await picture(page), before);

@@ -66,7 +66,7 @@ function imported(occt, bytes, format, options) {
 /** An assembly whose parts are in files of their own. */
 function refuseReferences(bytes) {
   const text = new TextDecoder('latin1').decode(bytes), references =
-    /\b(?:DOCUMENT_FILE|APPLIED_EXTERNAL_IDENTIFICATION_ASSIGNMENT)\s*\(\s*'([^']*\.[^'.]+)'/g;
+    /(?:DOCUMENT_FILE|EXTERNAL_IDENTIFICATION_ASSIGNMENT)\s*\(\s*'([^']*\.[^'.]+)'/g;
   const names = [...new Set(Array.from(text.matchAll(references), ([, name]) => name.split(/[\\/]/).at(-1)))];
   if (names.length === 0) return;
   const some = names.slice(0, 3).join(', ') + (names.length > 3 ? ` and ${names.length - 3} more` : '');

@@ -2,36 +2,29 @@
 // occt-import-js then gives several times is taken once. Such copies are triangulated alike, so that equal
 // means equal in every bit.
 
-/** The points of a face, which belong to it alone: from `low` to `high`. */
-function facesOf(mesh) {
-  const { index: { array }, brep_faces: faces } = mesh;
+/** With the points of a face, which belong to it alone: from `low` to `high`; `key`: all of them. */
+function facesOf({ index: { array }, attributes: { position }, brep_faces: faces }) {
   return faces.filter(({ first, last }) => last >= first).map(({ first, last }) => {
-    let low = array[3 * first], high = low;
-    for (let i = 3 * first; i < 3 * (last + 1); ++i) {
-      low = Math.min(low, array[i]);
-      high = Math.max(high, array[i]);
-    }
-    return { mesh, first, last, low, high };
+    const part = Array.from(array.slice(3 * first, 3 * last + 3));
+    const low = part.reduce((a, b) => Math.min(a, b)), high = part.reduce((a, b) => Math.max(a, b));
+    const corners = part.slice(0, 3).map((v) => v - low);
+    return { first, last, low, high, corners, key: `${last - first} ${position.array.slice(3 * low, 3 * high + 3).join()}` };
   });
 }
 
-const pointOf = ({ mesh }, v) => mesh.attributes.position.array.slice(3 * v, 3 * v + 3);
-const cornersOf = ({ mesh, first, low }) => [0, 1, 2].map((k) => mesh.index.array[3 * first + k] - low);
-
-/** What equal faces have in common, and others seldom. */
-const keyOf = (face) =>
-  [face.last - face.first, ...pointOf(face, face.low), ...pointOf(face, face.high)].join();
-
-/** 1 for the same face, -1 for the same one turned over, 0 for another. */
-function sameness(a, b) {
-  const p = a.mesh.attributes.position.array, q = b.mesh.attributes.position.array;
-  if (a.last - a.first !== b.last - b.first || a.high - a.low !== b.high - b.low) return 0;
-  for (let i = 0; i < 3 * (a.high - a.low + 1); ++i) if (p[3 * a.low + i] !== q[3 * b.low + i]) return 0;
-  const [u, v, w] = cornersOf(a), other = cornersOf(b), at = other.indexOf(u);
-  if (at < 0) return 0;
-  const [next, last] = [other[(at + 1) % 3], other[(at + 2) % 3]];
-  return next === v && last === w ? 1 : next === w && last === v ? -1 : 0;
+/** 1 for the same way round, -1 for the other. */
+function turn([u, v, w], other) {
+  const at = other.indexOf(u), next = other[(at + 1) % 3], last = other[(at + 2) % 3];
+  return at < 0 ? 0 : next === v && last === w ? 1 : next === w && last === v ? -1 : 0;
 }
+
+/** 1 for a face that is known, -1 for one that is known turned over, 0 for another. */
+function sameness(known, { key, corners }) {
+  const turns = (known.get(key) ?? []).map((other) => turn(corners, other));
+  return turns.includes(1) ? 1 : turns.includes(-1) ? -1 : 0;
+}
+
+const note = (known, { key, corners }) => known.set(key, [...known.get(key) ?? [], corners]);
 
 /** The mesh of some of its faces. */
 function meshOf(mesh, faces) {
@@ -49,7 +42,7 @@ function meshOf(mesh, faces) {
 function isClosed({ index: { array }, attributes: { position: { array: p } } }) {
   const numbers = new Map(), count = new Map();
   const pointOf = (v) => {
-    const key = [p[3 * v], p[3 * v + 1], p[3 * v + 2]].join();
+    const key = p.slice(3 * v, 3 * v + 3).join();
     if (!numbers.has(key)) numbers.set(key, numbers.size);
     return numbers.get(key);
   };
@@ -65,9 +58,9 @@ function isClosed({ index: { array }, attributes: { position: { array: p } } }) 
 function ownOnce(mesh, faces) {
   const known = new Map();
   const kept = faces.filter((face) => {
-    const key = keyOf(face), alike = known.get(key) ?? [];
-    known.set(key, [...alike, face]);
-    return !alike.some((other) => sameness(face, other) === 1);
+    const again = sameness(known, face) === 1;
+    note(known, face);
+    return !again;
   });
   return kept.length < faces.length ? meshOf(mesh, kept) : mesh;
 }
@@ -76,15 +69,14 @@ function ownOnce(mesh, faces) {
  * A mesh without what is there before. A closed one stays closed; and where all that it shares is turned over, it is a
  * body that touches others, or fills a hole of one.
  */
-function remaining(mesh, earlier) {
+function remaining(mesh, known) {
   const all = facesOf(mesh);
   if (all.reduce((sum, { first, last }) => sum + last - first + 1, 0) !== mesh.index.array.length / 3)
     return { ...mesh, closed: isClosed(mesh) };  // triangles of no face, or of several
   const once = ownOnce(mesh, all), faces = facesOf(once);
   const whole = { ...once, closed: isClosed(once) };
-  const found = faces.map(earlier), kept = faces.filter((_, i) => found[i] === 0);
+  const found = faces.map((face) => sameness(known, face)), kept = faces.filter((_, i) => found[i] === 0);
   if (kept.length === faces.length || (whole.closed && !found.includes(1))) return whole;
-  if (kept.length === 0) return undefined;
   const rest = meshOf(once, kept), closed = isClosed(rest);
   return whole.closed && !closed ? whole : { ...rest, closed };
 }
@@ -92,17 +84,9 @@ function remaining(mesh, earlier) {
 /** Meshes of occt-import-js, each shape once, and with `closed` beside what they have. */
 export function withoutRepeats(meshes) {
   const known = new Map();
-  const earlier = (face) => {
-    const alike = (known.get(keyOf(face)) ?? []).map((other) => sameness(face, other));
-    return alike.includes(1) ? 1 : alike.includes(-1) ? -1 : 0;
-  };
   return meshes.flatMap((mesh) => {
-    const rest = remaining(mesh, earlier);
-    if (rest === undefined) return [];
-    for (const face of facesOf(rest)) {
-      const key = keyOf(face);
-      known.set(key, [...known.get(key) ?? [], face]);
-    }
-    return [rest];
+    const rest = remaining(mesh, known);
+    facesOf(rest).forEach((face) => note(known, face));
+    return rest.index.array.length > 0 ? [rest] : [];
   });
 }
