@@ -10,7 +10,9 @@ namespace lpq {
 /// ratio, as k + 1 do: switches at 120, 216, 308.6 degrees.
 Index ideal_quads(double angle);
 
-/// An angle of a hollow bend: two quads have at most 122 degrees there, three at least 71.
+/// Of an inner angle between two walls, radians: is it one of those in a hollow bend of few edges,
+/// 213 to 244 degrees, where two quads (of at most 122 degrees) are nearly as good as three (of at
+/// least 71)?
 bool is_hollow_bend(double angle);
 
 }  // namespace lpq
