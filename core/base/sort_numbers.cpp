@@ -16,4 +16,9 @@ std::vector<Index> sorted_numbers(std::size_t count, ComesBefore before) {
   return numbers;
 }
 
+Index index_of(Index i, std::span<const Index> ascending) {
+  const auto at = std::lower_bound(ascending.begin(), ascending.end(), i);
+  return static_cast<Index>(at - ascending.begin());
+}
+
 }  // namespace lpq

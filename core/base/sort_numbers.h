@@ -2,6 +2,7 @@
 // reference: each kind of comparison compiled into a sort of its own is 1.6 KB of WebAssembly.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -20,9 +21,12 @@ void sort_numbers(std::span<Index> numbers, ComesBefore before);
 /// 0 .. count - 1.
 std::vector<Index> sorted_numbers(std::size_t count, ComesBefore before);
 
+/// Where i is in `ascending`, which holds it: numbers of a whole to those of a part.
+Index index_of(Index i, std::span<const Index> ascending);
+
 /// Values by the order of their numbers, where what a sort of their own would gain does not show.
-template <class T, class Before>
-void sort_values(std::vector<T>& values, const Before& before) {
+template <class T, class Before = std::less<>>
+void sort_values(std::vector<T>& values, const Before& before = {}) {
   std::vector<T> sorted;
   sorted.reserve(values.size());
   const auto by_value = [&](Index i, Index j) { return before(values[i], values[j]); };

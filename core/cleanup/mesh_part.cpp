@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/sort_numbers.h"
 #include "base/sort_unique.h"
 
 namespace lpq {
@@ -26,15 +27,13 @@ MeshPart extract_part(const QuadMesh& whole, const Csr<Index>& stars,
     if (moves(v)) part.vertex.push_back(v);
   std::vector<Index> local(vertices.size());
   for (std::size_t i = 0; i < part.vertex.size(); ++i) {
-    const auto at = std::lower_bound(vertices.begin(), vertices.end(), part.vertex[i]);
-    local[at - vertices.begin()] = static_cast<Index>(i);
+    local[index_of(part.vertex[i], vertices)] = static_cast<Index>(i);
     part.mesh.points.push_back(whole.points[part.vertex[i]]);
   }
   for (const Index f : faces) {
     Face face = whole.faces[f];
     for (int k = 0; k < corner_count(whole.faces[f]); ++k)
-      face[k] =
-          local[std::lower_bound(vertices.begin(), vertices.end(), face[k]) - vertices.begin()];
+      face[k] = local[index_of(face[k], vertices)];
     part.mesh.faces.push_back(face);
   }
   return part;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/sort_numbers.h"
 #include "base/sort_unique.h"
 #include "cleanup/quad_topology.h"
 #include "shell/chart_fields.h"
@@ -173,15 +174,12 @@ void WindowMaker::lay_out(const ShellMesh& shell, Window& window) {
   QuadMesh& quads = window.quads;
   quads.fixed = static_cast<Index>(order.size());
   order.insert(order.end(), movable.begin(), movable.end());
-  std::vector<std::pair<Index, Index>> number;
+  std::vector<Index> number(all.size());  // in the window, of those in `all`
   for (const Index v : order) {
-    number.push_back({v, static_cast<Index>(quads.points.size())});
+    number[index_of(v, all)] = static_cast<Index>(quads.points.size());
     quads.points.push_back(in_plane(shell, window.chart, v));
   }
-  std::sort(number.begin(), number.end());
-  const auto of = [&](Index v) {
-    return std::lower_bound(number.begin(), number.end(), std::pair{v, Index{0}})->second;
-  };
+  const auto of = [&](Index v) { return number[index_of(v, all)]; };
   for (const Index f : window.faces) {
     Face face;
     for (int k = 0; k < 4; ++k) face[k] = of(shell.faces[f][k]);

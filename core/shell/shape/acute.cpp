@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/sort_numbers.h"
 #include "shell/shape/mend.h"
 #include "surface/sharp_chains.h"
 #include "surface/sharp_edges.h"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/sort_numbers.h"
 #include "shell/shape/refills.h"
 
 namespace lpq {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/sort_numbers.h"
 #include "base/sort_unique.h"
 
 namespace lpq {
@@ -22,11 +23,6 @@ void add_walls(const ShellMesh& mesh, ShapePatch& patch) {
 }
 
 }  // namespace
-
-Index index_of(Index i, const std::vector<Index>& ascending) {
-  const auto at = std::lower_bound(ascending.begin(), ascending.end(), i);
-  return static_cast<Index>(at - ascending.begin());
-}
 
 Csr<Index> faces_at_vertices(const ShellMesh& mesh) {
   return csr_from<Index>(mesh.points.size(), [&](auto&& emit) {

@@ -17,9 +17,6 @@ struct ShapePatch {
   bool changed = false;           // other faces than those it was taken with
 };
 
-/// Where i is in `ascending`, which holds it: numbers of the whole mesh to those of a patch.
-Index index_of(Index i, const std::vector<Index>& ascending);
-
 /// Faces at every vertex, ascending; dead ones (no corners) have none.
 Csr<Index> faces_at_vertices(const ShellMesh& mesh);
 
