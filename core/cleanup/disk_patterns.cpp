@@ -1,6 +1,7 @@
 #include "cleanup/disk_patterns.h"
 
 #include <algorithm>
+#include <bitset>
 #include <utility>
 
 #include "base/sort_numbers.h"
@@ -21,6 +22,8 @@ struct Limit {
 constexpr Limit regular_limits[] = {{6, 3, 2}, {8, 3, 2}, {10, 2, 2}};
 // For validity anything goes, down to one quad in five: an inner one and a frame of four.
 constexpr Limit repair_limits[] = {{4, 4, 4}, {6, 4, 4}, {8, 4, 4}, {10, 3, 3}};
+
+constexpr std::size_t most_vertices = 2 * largest_loop;
 
 // Fills one polygon in all ways. The quad on the first edge (a, b) of an open cycle has two further
 // corners x (beside b) and y (beside a), each a vertex of the cycle or a new interior one; what is
@@ -96,7 +99,7 @@ class Filling {
 
   void keep() {
     DiskPattern pattern;
-    std::array<Vertex, 2 * largest_loop> valence{};
+    std::array<Vertex, most_vertices> valence{};
     for (const auto& quad : quads_)
       for (const Vertex v : quad) ++valence[v];
     for (Index v = limit_.loop; v < next_vertex_; ++v) {
@@ -111,11 +114,14 @@ class Filling {
   }
 
   bool has_double_edge() const {
-    std::vector<std::pair<Vertex, Vertex>> edges;
+    std::array<std::bitset<most_vertices>, most_vertices> edges;
     for (const auto& quad : quads_)
-      for (int k = 0; k < 4; ++k) edges.emplace_back(quad[k], quad[(k + 1) % 4]);
-    std::sort(edges.begin(), edges.end());
-    return std::adjacent_find(edges.begin(), edges.end()) != edges.end();
+      for (int k = 0; k < 4; ++k) {
+        auto edge = edges[quad[k]][quad[(k + 1) % 4]];
+        if (edge) return true;
+        edge = true;
+      }
+    return false;
   }
 
   const Limit& limit_;

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/sort_numbers.h"
-#include "base/sort_unique.h"
 
 namespace lpq {
 namespace {
@@ -55,7 +54,8 @@ void Canonicaliser::collect_tags() {
       tags.push_back(tag);
   for (const DomainInput::Point& point : outline_.input->points)
     if (!point.tag.empty()) tags.push_back(point.tag);
-  sort_unique(tags);
+  sort_values(tags);
+  tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
 }
 
 Index Canonicaliser::tag_of(const std::string& tag) const {

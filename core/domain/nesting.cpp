@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/sort_numbers.h"
 #include "geometry/predicates.h"
 
 namespace lpq {
@@ -76,7 +77,7 @@ std::optional<Error> find_duplicate(const Outline& outline, const LoopRoles& rol
   std::vector<std::pair<std::vector<Index>, Index>> prints;
   for (const Index l : contact_holes)
     prints.push_back({fingerprint(outline, outline.chains[l]), l});
-  std::sort(prints.begin(), prints.end());
+  sort_values(prints);
   for (std::size_t i = 1; i < prints.size(); ++i) {
     const Chain &one = outline.chains[prints[i - 1].second],
                 &two = outline.chains[prints[i].second];

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/rng.h"
+#include "base/sort_numbers.h"
 #include "field/inside.h"
 #include "lpcvt/packing.h"
 #include "lpcvt/phase_field.h"
@@ -130,7 +131,7 @@ std::vector<Vec2> drop_surplus(const Fields& fields, const Packing& packing, Ind
     });
     crowding[i] = {best / (h * h), i};
   }
-  std::sort(crowding.begin(), crowding.end());
+  sort_values(crowding);
   std::vector<char> dropped(count, 0);
   Index surplus = count - wanted;
   for (const auto& [ratio, i] : crowding) {

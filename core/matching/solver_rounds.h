@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/sort_numbers.h"
 #include "matching/solver.h"
 
 namespace lpq {
@@ -94,13 +95,16 @@ void BlossomSolver<Int>::solve() {
 template <class Int>
 Int BlossomSolver<Int>::first_radius() const {
   constexpr std::size_t sample_size = 1000;
-  std::vector<Int> sample;
+  std::vector<Index> sample;
+  const auto cost = [this](Index arc) {
+    return arcs_[arc].cost < 0 ? -arcs_[arc].cost : arcs_[arc].cost;
+  };
   for (std::size_t i = 0; i < arcs_.size(); i += arcs_.size() / sample_size + 1) {
-    sample.push_back(arcs_[i].cost < 0 ? -arcs_[i].cost : arcs_[i].cost);
+    sample.push_back(static_cast<Index>(i));
   }
   if (sample.empty()) return 1;
-  std::sort(sample.begin(), sample.end());
-  return std::min<Int>(range, sample[sample.size() / 2] / 5 + 1);
+  sort_numbers(sample, [&](Index a, Index b) { return cost(a) < cost(b); });
+  return std::min<Int>(range, cost(sample[sample.size() / 2]) / 5 + 1);
 }
 
 /// Searches from every exposed node in turn; leaves in `roots` those still exposed.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/sort_numbers.h"
+
 namespace lpq {
 namespace {
 
@@ -19,7 +21,7 @@ std::vector<HalfEdge> half_edges(std::span<const Face> faces) {
   for (std::size_t f = 0; f < faces.size(); ++f)
     for (int k = 0; k < 4; ++k)
       edges.push_back({faces[f][k], faces[f][(k + 1) & 3], static_cast<Index>(f)});
-  std::sort(edges.begin(), edges.end());
+  sort_values(edges);
   return edges;
 }
 

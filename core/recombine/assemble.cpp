@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/sort_numbers.h"
 #include "mesh/walk.h"
 
 namespace lpq {
@@ -98,7 +99,7 @@ std::vector<std::array<Index, 2>> inner_walls(const TriMesh& mesh) {
     const Index a = mesh.origin(e), b = mesh.target(e);
     sides.push_back({std::min(a, b), std::max(a, b), a < b ? 0 : 1});
   }
-  std::sort(sides.begin(), sides.end());
+  sort_values(sides);
   std::vector<std::array<Index, 2>> walls;
   for (std::size_t i = 1; i < sides.size(); ++i)
     if (sides[i][0] == sides[i - 1][0] && sides[i][1] == sides[i - 1][1])

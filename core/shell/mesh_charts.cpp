@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "base/share_out.h"
+#include "base/sort_numbers.h"
 #include "shell/chart_run.h"
 #include "shell/place.h"
 
@@ -60,7 +61,7 @@ void ChartsMesher::pin_nodes() {
     const Index v = charted_.nodes.places[n].vertex;
     if (v != none && charted_.features.corner[v]) mesh.pinned[n] = 2;
   }
-  std::sort(edges.begin(), edges.end());
+  sort_values(edges);
   for (const auto& [ends, sides] : edges) {
     mesh.edges.push_back(ends);
     mesh.sides.push_back(sides);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.h"
+#include "base/sort_numbers.h"
 #include "shell/shape/space_energy.h"
 #include "shell/sides.h"
 #include "surface/weld.h"
@@ -138,7 +139,7 @@ std::vector<Violation> check_places(std::span<const Vec3> points, std::span<cons
   const std::vector<Index> first = weld_points(points, used, reach, body);
   for (Index v = 0; v < static_cast<Index>(first.size()) && found.size() < limit; ++v)
     if (first[v] != v) found.push_back({"Two vertices lie in the same place.", none, v, {}});
-  std::sort(corners.begin(), corners.end());
+  sort_values(corners);
   for (std::size_t i = 1; i < corners.size() && found.size() < limit; ++i)
     if (corners[i].first == corners[i - 1].first)
       found.push_back({"Two faces have the same vertices.",

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 
 #include "base/disjoint_sets.h"
 #include "base/sort_numbers.h"
@@ -31,7 +30,7 @@ std::vector<char> open_bodies(const SurfaceSoup& soup, DisjointSets& bodies) {
       const Index a = first[soup.triangles[t][k]], b = first[soup.triangles[t][(k + 1) % 3]];
       if (a != b) sides.push_back({bodies.root(soup.body[t]), std::min(a, b), std::max(a, b)});
     }
-  sort_values(sides, std::less<>());
+  sort_values(sides);
   std::vector<char> open(soup.body_names.size(), 0);
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
     for (end = i + 1; end < sides.size() && sides[end] == sides[i];) ++end;

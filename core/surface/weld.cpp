@@ -55,7 +55,7 @@ class Cells {
       const Vec3 p = points[i] - low;
       entries_.push_back({{cell(p.x), cell(p.y), cell(p.z)}, i});
     }
-    std::sort(entries_.begin(), entries_.end());
+    sort_values(entries_);
   }
 
   template <class Visit>

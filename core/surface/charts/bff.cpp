@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/sort_numbers.h"
 #include "numerics/elementary.h"
 #include "numerics/multigrid.h"
 #include "numerics/sparse.h"
@@ -129,7 +130,7 @@ double BoundaryFirst::log_range(const std::vector<double>& u) const {
     order.push_back({u[v], v});
     total += area[v];
   }
-  std::sort(order.begin(), order.end());
+  sort_values(order);
   double sum = 0, low = order.back().first, high = order.back().first;
   for (const auto& [value, v] : order) {
     if (sum <= tail * total) low = value;
