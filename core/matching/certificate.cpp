@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/disjoint_sets.h"
+
 namespace lpq {
 namespace {
 
@@ -137,27 +139,19 @@ std::string check_optimal(Index node_count, std::span<const CostEdge> edges,
 /// matching leaves that many nodes out.
 std::string check_witness(Index node_count, std::span<const CostEdge> edges,
                           const Matching& matching) {
-  std::vector<Index> root(node_count), size(node_count, 1);
-  for (Index v = 0; v < node_count; ++v) root[v] = v;
   std::vector<char> removed(node_count, 0);
   for (const Index v : matching.witness) {
     if (v < 0 || v >= node_count || removed[v]) return "the witness names a wrong node";
     removed[v] = 1;
   }
-  const auto find = [&](Index v) {
-    while (root[v] != v) v = root[v] = root[root[v]];
-    return v;
-  };
-  for (const CostEdge& e : edges) {
-    if (removed[e.u] || removed[e.v]) continue;
-    Index a = find(e.u), b = find(e.v);
-    if (a == b) continue;
-    if (size[a] < size[b]) std::swap(a, b);
-    root[b] = a;
-    size[a] += size[b];
-  }
-  Index odd = 0;
-  for (Index v = 0; v < node_count; ++v) odd += !removed[v] && root[v] == v && size[v] % 2 == 1;
+  DisjointSets components(node_count);
+  for (const CostEdge& e : edges)
+    if (!removed[e.u] && !removed[e.v]) components.unite(e.u, e.v);
+  std::vector<Index> size(node_count, 0);
+  for (Index v = 0; v < node_count; ++v)
+    if (!removed[v]) ++size[components.root(v)];
+  const auto odd = static_cast<Index>(
+      std::count_if(size.begin(), size.end(), [](Index nodes) { return nodes % 2 == 1; }));
   if (odd - static_cast<Index>(matching.witness.size()) != matching.deficiency) {
     return "the witness does not prove the deficiency";
   }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "base/disjoint_sets.h"
 #include "recombine/edit.h"
 
 namespace lpq {
@@ -18,23 +19,15 @@ constexpr Index even_piece = -2;
 /// Number of the odd piece of each node when the witness is removed; even_piece, or none for the
 /// witness itself.
 std::vector<Index> odd_pieces(const DualGraph& graph, const std::vector<Index>& witness) {
-  std::vector<Index> piece(static_cast<std::size_t>(graph.nodes));
-  for (Index v = 0; v < graph.nodes; ++v) piece[v] = v;
-  const auto root = [&](Index v) {
-    while (piece[v] != v) v = piece[v] = piece[piece[v]];
-    return v;
-  };
+  DisjointSets pieces(graph.nodes);
   std::vector<char> removed(static_cast<std::size_t>(graph.nodes), 0);
   for (Index v : witness) removed[v] = 1;
   for (const CostEdge& edge : graph.edges)
-    if (!removed[edge.u] && !removed[edge.v]) {
-      const Index a = root(edge.u), b = root(edge.v);
-      piece[std::max(a, b)] = std::min(a, b);
-    }
+    if (!removed[edge.u] && !removed[edge.v]) pieces.unite(edge.u, edge.v);
   std::vector<Index> size(static_cast<std::size_t>(graph.nodes), 0), result(size.size());
-  for (Index v = 0; v < graph.nodes; ++v) ++size[root(v)];
+  for (Index v = 0; v < graph.nodes; ++v) ++size[pieces.root(v)];
   for (Index v = 0; v < graph.nodes; ++v) {
-    const Index r = root(v);
+    const Index r = pieces.root(v);
     result[v] = removed[v] ? none : size[r] % 2 == 1 ? r : even_piece;
   }
   return result;

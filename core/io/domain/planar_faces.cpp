@@ -6,8 +6,8 @@
 #include "io/domain/planar_faces.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "base/disjoint_sets.h"
 #include "geometry/frame.h"
 #include "geometry/polygon.h"
 #include "geometry/predicates.h"
@@ -149,19 +149,13 @@ class ChainMaker {
 
 /// Numbers the parts of the line work that hang together by their edges.
 std::vector<Index> component_of_points(const LineWork& lines, const std::vector<char>& used) {
-  std::vector<Index> root(lines.points.size());
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](Index i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
-  for (std::size_t e = 0; e < lines.edges.size(); ++e) {
-    if (!used[e]) continue;
-    const Index a = find(lines.edges[e].a), b = find(lines.edges[e].b);
-    root[std::max(a, b)] = std::min(a, b);
-  }
-  for (std::size_t i = 0; i < root.size(); ++i) root[i] = find(static_cast<Index>(i));
-  return root;
+  DisjointSets components(static_cast<Index>(lines.points.size()));
+  for (std::size_t e = 0; e < lines.edges.size(); ++e)
+    if (used[e]) components.unite(lines.edges[e].a, lines.edges[e].b);
+  std::vector<Index> component(lines.points.size());
+  for (std::size_t i = 0; i < component.size(); ++i)
+    component[i] = components.root(static_cast<Index>(i));
+  return component;
 }
 
 }  // namespace
