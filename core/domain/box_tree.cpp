@@ -31,22 +31,12 @@ std::uint64_t z_order(Vec2 p, const Box& all, double cells_per_length) {
 
 }  // namespace
 
-Box box_of(Vec2 a, Vec2 b) {
-  return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
-}
-
-double squared_distance(const Box& a, const Box& b) {
-  const double dx = std::max({0.0, a.lo.x - b.hi.x, b.lo.x - a.hi.x});
-  const double dy = std::max({0.0, a.lo.y - b.hi.y, b.lo.y - a.hi.y});
-  return dx * dx + dy * dy;
-}
-
 BoxTree::BoxTree(std::span<const Box> boxes) {
   if (boxes.empty()) return;
   const Index n = static_cast<Index>(boxes.size());
   Box all = boxes[0];
   for (const Box& box : boxes) all = united(all, box);
-  const double extent = std::max(all.hi.x - all.lo.x, all.hi.y - all.lo.y);
+  const double extent = longer_side(all);
   const double cells_per_length = extent > 0 ? 4294967295.0 / extent : 0.0;
   std::vector<std::pair<std::uint64_t, Index>> keys(n);
   for (Index i = 0; i < n; ++i)

@@ -8,21 +8,9 @@
 #include <vector>
 
 #include "base/index.h"
-#include "geometry/vec.h"
+#include "geometry/box.h"
 
 namespace lpq {
-
-struct Box {
-  Vec2 lo, hi;
-};
-
-Box box_of(Vec2 a, Vec2 b);
-
-inline bool overlap(const Box& a, const Box& b) {
-  return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y;
-}
-
-double squared_distance(const Box& a, const Box& b);
 
 class BoxTree {
  public:

@@ -6,6 +6,7 @@
 
 #include "delaunay/delaunay.h"
 #include "field/inside.h"
+#include "geometry/box.h"
 #include "geometry/predicates.h"
 
 namespace lpq {
@@ -25,20 +26,16 @@ constexpr double thinnest = 0.25;
 // fall on multiples of it from the domain's lower left corner: an axis-parallel square gets the
 // background that its ideal mesh has.
 Quadtree root_for(const BoundaryMesh& boundary) {
-  Vec2 low = boundary.points.front(), high = low;
-  for (const Vec2 p : boundary.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
+  const Box box = box_of(boundary.points);
   std::vector<double> spacing;
   for (const double s : boundary.spacing)
     if (s > 0) spacing.push_back(s);
   std::sort(spacing.begin(), spacing.end());
-  const double extent = std::max(high.x - low.x, high.y - low.y);
+  const double extent = longer_side(box);
   const double unit = spacing.empty() ? extent : spacing[spacing.size() / 2];
   double side = unit;
   while (side < extent + unit) side *= 2;
-  return Quadtree({low.x - 0.5 * unit, low.y - 0.5 * unit}, side);
+  return Quadtree({box.lo.x - 0.5 * unit, box.lo.y - 0.5 * unit}, side);
 }
 
 double distance2_to_segment(Vec2 p, Vec2 a, Vec2 b) {

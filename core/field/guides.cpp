@@ -16,15 +16,6 @@ constexpr double least_chord = 0x1p-16;
 // A chord shorter than this share of the size says nothing: the one before it is prolonged.
 constexpr double shortest_end = 0.5;
 
-Box box_of_points(std::span<const Vec2> points) {
-  Box box{points.front(), points.front()};
-  for (const Vec2 p : points) {
-    box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y)};
-    box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y)};
-  }
-  return box;
-}
-
 // Cuts [from, to], shares of the way from `start` by `step`, to where low <= coordinate <= high.
 void clip(double start, double step, double low, double high, double& from, double& to) {
   if (step == 0) {
@@ -57,8 +48,8 @@ bool clip(Vec2& a, Vec2& b, const Box& box) {
 class Cutter {
  public:
   Cutter(const TriMesh& mesh, std::span<const double> h, std::vector<Chord>& chords)
-      : mesh_(mesh), h_(h), locator_(mesh), box_(box_of_points(mesh.points)), chords_(chords) {
-    least_ = least_chord * std::max(box_.hi.x - box_.lo.x, box_.hi.y - box_.lo.y);
+      : mesh_(mesh), h_(h), locator_(mesh), box_(box_of(mesh.points)), chords_(chords) {
+    least_ = least_chord * longer_side(box_);
   }
 
   void cut(std::span<const Vec2> guide) {

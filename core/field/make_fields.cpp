@@ -14,6 +14,7 @@
 #include "field/cross_field.h"
 #include "field/guides.h"
 #include "field/size_field.h"
+#include "geometry/box.h"
 #include "geometry/segment.h"
 #include "numerics/elementary.h"
 
@@ -167,20 +168,12 @@ Result<CrossField> crosses(const TriMesh& mesh, const FieldOptions& options,
   return field;
 }
 
-double extent_of(const BoundaryMesh& boundary) {
-  Vec2 low = boundary.points.front(), high = low;
-  for (const Vec2 p : boundary.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return std::max(high.x - low.x, high.y - low.y);
-}
-
 BackgroundBuilder builder_for(const BoundaryMesh& boundary, const FieldOptions& options) {
   std::vector<Source> sources;
   for (const SizeSample& s : options.sizes) sources.push_back({s.position, s.h});
-  const double detail = options.function_detail > 0 ? options.function_detail
-                                                    : function_resolution * extent_of(boundary);
+  const double detail = options.function_detail > 0
+                            ? options.function_detail
+                            : function_resolution * longer_side(box_of(boundary.points));
   return BackgroundBuilder(boundary, sources, options.size_function ? detail : 0);
 }
 

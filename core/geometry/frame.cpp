@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/box.h"
+
 namespace lpq {
 namespace {
 
@@ -19,13 +21,9 @@ double exact_shift(double lo, double hi) {
 UnitFrame fit_frame(std::span<const Vec2> points) {
   UnitFrame frame;
   if (points.empty()) return frame;
-  Vec2 lo = points[0], hi = points[0];
-  for (const Vec2 p : points) {
-    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
-    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
-  }
-  frame.shift = {exact_shift(lo.x, hi.x), exact_shift(lo.y, hi.y)};
-  const double extent = std::max(hi.x - lo.x, hi.y - lo.y);
+  const Box box = box_of(points);
+  frame.shift = {exact_shift(box.lo.x, box.hi.x), exact_shift(box.lo.y, box.hi.y)};
+  const double extent = longer_side(box);
   if (extent > 0 && std::isfinite(extent)) {
     int exponent = 0;
     std::frexp(extent, &exponent);

@@ -6,6 +6,7 @@
 
 #include "base/words.h"
 #include "field/make_fields.h"
+#include "geometry/box.h"
 
 namespace lpq {
 namespace {
@@ -30,12 +31,8 @@ constexpr double least_share = 0.05;
 constexpr double least_growth = 0.01;
 
 double diagonal(const Domain& domain) {
-  Vec2 lo = domain.points[0], hi = lo;
-  for (const Vec2 p : domain.points) {
-    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
-    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
-  }
-  return length(hi - lo);
+  const Box box = box_of(domain.points);
+  return length(box.hi - box.lo);
 }
 
 // The distance, in the unit frame, of neighbouring doubles among the caller's coordinates.
@@ -79,8 +76,7 @@ Result<double> judge_size(const Domain& domain, const Options& options) {
                       short_number(domain.frame.length_to_world(diagonal(domain))) +
                       "). Check the unit of length.");
   const double estimate = size > 0 ? domain.area / (size * size) : 0;
-  if (estimate > options.max_elements)
-    return too_many_elements(estimate, options.max_elements);
+  if (estimate > options.max_elements) return too_many_elements(estimate, options.max_elements);
   if (const auto beyond = judge_scale(domain, size)) return *beyond;
   if (size > 0 && size < least_steps * coordinate_step(domain))
     return Error{

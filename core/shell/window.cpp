@@ -7,6 +7,7 @@
 #include "base/sort_numbers.h"
 #include "base/sort_unique.h"
 #include "cleanup/quad_topology.h"
+#include "geometry/box.h"
 #include "shell/chart_fields.h"
 #include "surface/charts/checks.h"
 #include "surface/charts/map_part.h"
@@ -16,16 +17,12 @@ namespace {
 
 /// Into a box of the order of one, by a power of two: planar thresholds are meant for that.
 void normalise(Chart& chart) {
-  Vec2 low = chart.plane.points[0], high = low;
-  for (const Vec2 p : chart.plane.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  const double extent = std::max(high.x - low.x, high.y - low.y);
+  const Box box = box_of(chart.plane.points);
+  const double extent = longer_side(box);
   double factor = 1;
   while (factor * extent > 1) factor *= 0.5;
   while (factor * extent < 0.5) factor *= 2;
-  for (Vec2& p : chart.plane.points) p = factor * (p - low);
+  for (Vec2& p : chart.plane.points) p = factor * (p - box.lo);
   for (double& scale : chart.scale) scale *= factor;
 }
 

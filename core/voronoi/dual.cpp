@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "geometry/box.h"
 
 namespace lpq {
 namespace {
@@ -37,13 +38,8 @@ double squared_extent(const TriMesh& mesh) {
   const std::size_t count =
       mesh.fixed > 0 ? static_cast<std::size_t>(mesh.fixed) : mesh.points.size();
   if (count == 0) return 0;
-  Vec2 low = mesh.points[0], high = low;
-  for (std::size_t i = 1; i < count; ++i) {
-    const Vec2 p = mesh.points[i];
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return squared_length(high - low);
+  const Box box = box_of(std::span(mesh.points).first(count));
+  return squared_length(box.hi - box.lo);
 }
 
 class Clipper {

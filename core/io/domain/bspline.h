@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include "domain/box_tree.h"
-#include "geometry/vec.h"
+#include "geometry/box.h"
 
 namespace lpq {
 

@@ -4,8 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "domain/box_tree.h"
-#include "geometry/vec.h"
+#include "geometry/box.h"
 
 namespace lpq {
 

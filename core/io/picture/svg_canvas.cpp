@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "geometry/box.h"
 #include "io/escape.h"
 #include "io/number.h"
 
@@ -33,14 +34,9 @@ Colour blend(std::span<const Colour> stops, double t) {
 
 SvgCanvas::SvgCanvas(std::span<const Vec2> points, std::string_view title, double width)
     : title_(title) {
-  Vec2 high;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec2 p = points[i];
-    if (i == 0) low_ = high = p;
-    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  const Vec2 extent = high - low_;
+  const Box box = points.empty() ? Box{} : box_of(points);
+  low_ = box.lo;
+  const Vec2 extent = box.hi - box.lo;
   const double longest = std::max(extent.x, extent.y);
   scale_ = longest > 0 ? (width - 2 * margin) / longest : 1;
   width_ = extent.x * scale_ + 2 * margin;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/sort_numbers.h"
+#include "geometry/box.h"
 
 namespace lpq {
 namespace {
@@ -15,22 +16,14 @@ struct ChartBox {
   Vec2 low, size;
 };
 
-ChartBox box_of(const Chart& chart) {
-  Vec2 low = chart.plane.points[0], high = low;
-  for (const Vec2 p : chart.plane.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return {low, high - low};
-}
-
 }  // namespace
 
 AtlasLayout lay_out(std::span<const Chart> charts) {
   std::vector<ChartBox> boxes;
   double area = 0, width = 0;
   for (const Chart& chart : charts) {
-    boxes.push_back(box_of(chart));
+    const Box box = box_of(chart.plane.points);
+    boxes.push_back({box.lo, box.hi - box.lo});
     area += boxes.back().size.x * boxes.back().size.y;
     width = std::max(width, boxes.back().size.x);
   }

@@ -1,0 +1,24 @@
+#include "geometry/box.h"
+
+namespace lpq {
+
+Box box_of(Vec2 a, Vec2 b) {
+  return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+}
+
+Box box_of(std::span<const Vec2> points) {
+  Box box{points.front(), points.front()};
+  for (const Vec2 p : points) {
+    box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y)};
+    box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y)};
+  }
+  return box;
+}
+
+double squared_distance(const Box& a, const Box& b) {
+  const double dx = std::max({0.0, a.lo.x - b.hi.x, b.lo.x - a.hi.x});
+  const double dy = std::max({0.0, a.lo.y - b.hi.y, b.lo.y - a.hi.y});
+  return dx * dx + dy * dy;
+}
+
+}  // namespace lpq
