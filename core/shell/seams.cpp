@@ -97,7 +97,7 @@ class SeamFinisher::Run {
     wanted_.clear();
     next_ = 0;
     if (pass_ >= seam_passes) {
-      compact();
+      sweep_dead();
       find_stars();
     }
     if (pass_ < seam_passes)
@@ -182,32 +182,10 @@ class SeamFinisher::Run {
     stars_->update(mesh_);
   }
 
-  /// Sweeps out what died.
-  void compact() {
-    std::vector<Index> number(mesh_.points.size(), none);
-    Index count = 0;
-    for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
-      if (mesh_.places[v].triangle == none) continue;
-      mesh_.points[count] = mesh_.points[v];
-      mesh_.places[count] = mesh_.places[v];
-      mesh_.pinned[count] = mesh_.pinned[v];
-      number[v] = count++;
-    }
-    mesh_.points.resize(count);
-    mesh_.places.resize(count);
-    mesh_.pinned.resize(count);
-    std::size_t kept = 0;
-    for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
-      if (mesh_.faces[f][0] == none) continue;
-      for (Index& v : mesh_.faces[f])
-        if (v != none) v = number[v];
-      mesh_.faces[kept] = mesh_.faces[f];
-      mesh_.face[kept++] = mesh_.face[f];
-    }
-    mesh_.faces.resize(kept);
-    mesh_.face.resize(kept);
-    for (auto& edge : mesh_.edges)
-      for (Index& v : edge) v = number[v];
+  void sweep_dead() {
+    std::vector<char> alive;
+    for (const SurfacePlace& place : mesh_.places) alive.push_back(place.triangle != none);
+    sweep(mesh_, alive);
   }
 
   std::unique_ptr<CoarseGround> coarse_;  // where the surface is too fine

@@ -27,4 +27,8 @@ struct ShellMesh {
   std::vector<std::array<Index, 2>> sides;
 };
 
+/// Sweeps out faces without corners and the vertices that are not `kept` (#V); the order of the
+/// others stays. Returns their new numbers; none: gone.
+std::vector<Index> sweep(ShellMesh& mesh, const std::vector<char>& kept);
+
 }  // namespace lpq

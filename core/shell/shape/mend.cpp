@@ -63,7 +63,7 @@ class Mender::Run {
       --seeds_left_;
       return true;
     }
-    compact(mesh_, roles_);
+    sweep_unused(mesh_, roles_);
     return false;
   }
 

@@ -111,36 +111,15 @@ void put_back(const ShapePatch& patch, ShellMesh& mesh, std::vector<VertexRole>&
   }
 }
 
-void compact(ShellMesh& mesh, std::vector<VertexRole>& roles) {
-  std::vector<Index> number(mesh.points.size(), none);
+void sweep_unused(ShellMesh& mesh, std::vector<VertexRole>& roles) {
+  std::vector<char> used(mesh.points.size(), 0);
   for (const Face& face : mesh.faces)
     for (const Index v : face)
-      if (v != none) number[v] = 0;
-  Index count = 0;
-  for (std::size_t v = 0; v < number.size(); ++v) {
-    if (number[v] == none) continue;
-    mesh.points[count] = mesh.points[v];
-    mesh.places[count] = mesh.places[v];
-    mesh.pinned[count] = mesh.pinned[v];
-    roles[count] = roles[v];
-    number[v] = count++;
-  }
-  mesh.points.resize(count);
-  mesh.places.resize(count);
-  mesh.pinned.resize(count);
-  roles.resize(count);
-  std::size_t kept = 0;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    if (mesh.faces[f][0] == none) continue;
-    mesh.faces[kept] = mesh.faces[f];
-    for (Index& v : mesh.faces[kept])
-      if (v != none) v = number[v];
-    mesh.face[kept++] = mesh.face[f];
-  }
-  mesh.faces.resize(kept);
-  mesh.face.resize(kept);
-  for (auto& edge : mesh.edges)
-    for (Index& v : edge) v = number[v];
+      if (v != none) used[v] = 1;
+  const std::vector<Index> number = sweep(mesh, used);
+  for (std::size_t v = 0; v < number.size(); ++v)
+    if (number[v] != none) roles[number[v]] = roles[v];
+  roles.resize(mesh.points.size());
 }
 
 }  // namespace lpq

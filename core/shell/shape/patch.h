@@ -32,6 +32,6 @@ ShapePatch take_patch(const ShellMesh& mesh, const std::vector<VertexRole>& role
 void put_back(const ShapePatch& patch, ShellMesh& mesh, std::vector<VertexRole>& roles);
 
 /// Sweeps out dead faces and vertices without faces; the order of the others is kept.
-void compact(ShellMesh& mesh, std::vector<VertexRole>& roles);
+void sweep_unused(ShellMesh& mesh, std::vector<VertexRole>& roles);
 
 }  // namespace lpq
