@@ -91,14 +91,12 @@ IdealValence::IdealValence(const QuadTopology& mesh) {
 }
 
 void IdealValence::find_hollow_bends(const QuadTopology& mesh, std::span<const double> angle) {
-  const auto bends = [&](Index v) {
-    return v < sectors_.rows() && is_hollow_bend(angle[v]);
-  };
+  const auto at = [&](Index v) { return v < sectors_.rows() ? angle[v] : 0; };
   for (Index v = 0; v < sectors_.rows(); ++v) {
-    if (!bends(v)) continue;
+    if (angle[v] == 0) continue;
     Sector& sector = sectors_.values[sectors_.offsets[v]];
     const Index before = sector_end(mesh, v, mesh.face_with_edge(v, sector.first));
-    sector.either = bends(sector.first) && bends(before);
+    sector.either = is_in_hollow_bend(at(before), angle[v], at(sector.first));
   }
 }
 

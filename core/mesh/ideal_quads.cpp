@@ -15,4 +15,8 @@ bool is_hollow_bend(double angle) {
   return angle >= pi + least_bend && angle <= pi + most_bend;
 }
 
+bool is_in_hollow_bend(double before, double angle, double after) {
+  return is_hollow_bend(before) && is_hollow_bend(angle) && is_hollow_bend(after);
+}
+
 }  // namespace lpq

@@ -15,4 +15,7 @@ Index ideal_quads(double angle);
 /// least 71)?
 bool is_hollow_bend(double angle);
 
+/// Such an angle between two others: the vertex may hold two quads or three.
+bool is_in_hollow_bend(double before, double angle, double after);
+
 }  // namespace lpq

@@ -41,8 +41,7 @@ std::vector<Turning> turnings_of(std::span<const Vec2> points, std::size_t first
   }
   std::vector<Turning> turnings(n);
   for (std::size_t k = 0; k < n; ++k) {
-    const bool either = is_hollow_bend(angle[(k + n - 1) % n]) && is_hollow_bend(angle[k]) &&
-                        is_hollow_bend(angle[(k + 1) % n]);
+    const bool either = is_in_hollow_bend(angle[(k + n - 1) % n], angle[k], angle[(k + 1) % n]);
     const IdealValence::Count count{0, ideal_quads(angle[k]), true, either};
     for (Index quads = 1; quads <= 3; ++quads)
       turnings[k].price[static_cast<std::size_t>(3 - quads)] =
