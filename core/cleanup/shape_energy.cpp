@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "cleanup/corner_terms.h"
 #include "field/field.h"
 #include "numerics/elementary.h"
 
@@ -11,14 +12,6 @@ namespace lpq {
 namespace {
 
 constexpr Evaluation refused{0, EvalStatus::outside_domain};
-// With eps = 0 a corner must keep at least this share of its face's unit of area: far above
-// rounding, far below any angle a person would accept.
-constexpr double least_corner = 1e-9;
-// The length term levels off here (edges four times too long or short): where the 1D mesh forces
-// such lengths, they must not outweigh everything else.
-constexpr double saturation = 16;
-// Much later for short ones: a quad with one side next to nothing is a triangle, of a fair eta.
-constexpr double saturation_of_short = 256;
 // Slope of the size field at which the size terms count half, and the least they count.
 constexpr double steep = 0.1, least_share = 0.4;
 
@@ -45,30 +38,11 @@ struct Corners {
   }
 };
 
-// atan(t) for |t| <= 1, error below 3e-10: Chebyshev interpolation of atan(t)/t in t^2. N at once:
-// the loops over corners are what compilers turn into vector instructions.
-template <int N>
-std::array<double, N> small_arc_tangents(const std::array<double, N>& t) {
-  constexpr std::array<double, 11> c = {
-      0.9999999995535378,   -0.33333322488913208,   0.19999558100397521,  -0.14278576025162701,
-      0.1105077127778412,   -0.087850432880911142,  0.066852815272371913, -0.043928410811433227,
-      0.021912945885863525, -0.0070306694584457777, 0.0010576074313963289};
-  std::array<double, N> s, sum;
-  for (int k = 0; k < N; ++k) s[k] = t[k] * t[k];
-  for (int k = 0; k < N; ++k) sum[k] = c[10];
-  for (int i = 9; i >= 0; --i)
-    for (int k = 0; k < N; ++k) sum[k] = sum[k] * s[k] + c[i];
-  for (int k = 0; k < N; ++k) sum[k] *= t[k];
-  return sum;
-}
-
-double eighth_root(double x) { return std::sqrt(std::sqrt(std::sqrt(x))); }
-
 template <int N>
 Evaluation mean_ratio_face(const Face& face, std::span<const Vec2> points, double unit,
                            const MeanRatioOptions& options, std::span<Vec2> gradient) {
   const Corners<N> corners(face, points);
-  const double w = options.size_weight, eps = options.epsilon;
+  const double eps = options.epsilon;
   std::array<Vec2, N> by_edge{};
   double sum = 0;
   for (int k = 0; k < N; ++k) {
@@ -76,16 +50,12 @@ Evaluation mean_ratio_face(const Face& face, std::span<const Vec2> points, doubl
     const double l = (corners.squared[k] + corners.squared[b]) * unit;
     const double j = corners.area(k) * unit;
     if (eps == 0 && j <= least_corner) return refused;
-    const double root = std::sqrt(j * j + eps * eps);
-    // For j < 0 the difference j + root would cancel.
-    const double chi = j >= 0 ? 0.5 * (j + root) : 0.5 * eps * eps / (root - j);
-    const double inverse = 1 / chi;
-    sum += 0.5 * l * inverse + 0.5 * w * (chi + inverse);
-    const double by_l = 0.5 * inverse;
-    const double by_chi = -0.5 * l * inverse * inverse + 0.5 * w * (1 - inverse * inverse);
-    const double by_j = by_chi * chi / root;  // d chi / d j = chi / root
-    by_edge[k] += unit * (2 * by_l * corners.edge[k] + by_j * perpendicular(corners.edge[b]));
-    by_edge[b] += unit * (2 * by_l * corners.edge[b] - by_j * perpendicular(corners.edge[k]));
+    const MeanRatioTerm term = mean_ratio_term(l, j, options.size_weight, eps);
+    sum += term.value;
+    by_edge[k] +=
+        unit * (term.by_l_twice * corners.edge[k] + term.by_j * perpendicular(corners.edge[b]));
+    by_edge[b] +=
+        unit * (term.by_l_twice * corners.edge[b] - term.by_j * perpendicular(corners.edge[k]));
   }
   for (int k = 0; k < N; ++k) Corners<N>::scatter(face, k, by_edge[k], gradient);
   return {sum, EvalStatus::ok};
@@ -129,7 +99,7 @@ Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
     const double lengths = std::sqrt(corners.squared[k] * corners.squared[Corners<N>::before(k)]);
     t[k] = corners.product(k) / (lengths + area[k]);
   }
-  std::array<double, N> deviation = small_arc_tangents<N>(t);
+  std::array<double, N> deviation = small_arc_tangents(t);
   for (int k = 0; k < N; ++k) deviation[k] = target - (4 / pi) * deviation[k];
   const double rounding = options.rounding * options.rounding;
   for (int k = 0; k < N; ++k) rounded[k] = deviation[k] * deviation[k] + rounding;

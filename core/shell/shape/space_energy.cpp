@@ -5,15 +5,13 @@
 #include <array>
 #include <cmath>
 
+#include "cleanup/corner_terms.h"
 #include "numerics/elementary.h"
 
 namespace lpq {
 namespace {
 
 constexpr Evaluation refused{0, EvalStatus::outside_domain};
-// As in the plane (cleanup/shape_energy.cpp).
-constexpr double saturation = 16, saturation_of_short = 256;
-constexpr double least_corner = 1e-9;
 // A corner is straight when the sine of its angle is less: far above rounding.
 constexpr double least_sine = 1e-9;
 
@@ -45,20 +43,6 @@ struct Corners {
   }
 };
 
-/// arctan on [-1, 1] as in the plane.
-double small_arc_tangent(double t) {
-  constexpr std::array<double, 11> c = {
-      0.9999999995535378,   -0.33333322488913208,   0.19999558100397521,  -0.14278576025162701,
-      0.1105077127778412,   -0.087850432880911142,  0.066852815272371913, -0.043928410811433227,
-      0.021912945885863525, -0.0070306694584457777, 0.0010576074313963289};
-  const double s = t * t;
-  double sum = c[10];
-  for (int i = 9; i >= 0; --i) sum = sum * s + c[i];
-  return sum * t;
-}
-
-double eighth_root(double x) { return std::sqrt(std::sqrt(std::sqrt(x))); }
-
 void scatter(const Quad& by_edge, Quad& gradient) {
   for (int k = 0; k < 4; ++k) {
     gradient[(k + 1) & 3] += by_edge[k];
@@ -82,13 +66,16 @@ Evaluation eta_energy(const Quad& p, double unit, Vec3 outside, const SpaceEtaOp
                       Quad& gradient) {
   const Corners corners(p);
   if (!corners.convex() || !(dot(corners.twice, outside) > 0)) return refused;
-  std::array<double, 4> power, size;
+  std::array<double, 4> power, size, t;
   double total = 0;
   for (int k = 0; k < 4; ++k) {
     size[k] = length(corners.area[k]);
     const double lengths = std::sqrt(corners.squared[k] * corners.squared[(k + 3) & 3]);
-    const double t = corners.product(k) / (lengths + size[k]);
-    const double deviation = -(4 / pi) * small_arc_tangent(t);
+    t[k] = corners.product(k) / (lengths + size[k]);
+  }
+  const std::array<double, 4> half = small_arc_tangents(t);
+  for (int k = 0; k < 4; ++k) {
+    const double deviation = -(4 / pi) * half[k];
     const double rounded = deviation * deviation + options.rounding * options.rounding;
     const double third = rounded * rounded * rounded;
     power[k] = third * deviation / size[k];
@@ -126,7 +113,7 @@ Evaluation eta_energy(const Quad& p, double unit, Vec3 outside, const SpaceEtaOp
 Evaluation mean_ratio_energy(const Quad& p, double unit, Vec3 outside,
                              const MeanRatioOptions& options, Quad& gradient) {
   const Corners corners(p);
-  const double w = options.size_weight, eps = options.epsilon;
+  const double eps = options.epsilon;
   Quad by_edge{};
   double sum = 0;
   for (int k = 0; k < 4; ++k) {
@@ -134,15 +121,12 @@ Evaluation mean_ratio_energy(const Quad& p, double unit, Vec3 outside,
     const double l = (corners.squared[k] + corners.squared[b]) * unit;
     const double j = dot(corners.area[k], outside) * unit;
     if (eps == 0 && j <= least_corner) return refused;
-    const double root = std::sqrt(j * j + eps * eps);
-    // For j < 0 the difference j + root would cancel.
-    const double chi = j >= 0 ? 0.5 * (j + root) : 0.5 * eps * eps / (root - j);
-    const double inverse = 1 / chi;
-    sum += 0.5 * l * inverse + 0.5 * w * (chi + inverse);
-    const double by_chi = -0.5 * l * inverse * inverse + 0.5 * w * (1 - inverse * inverse);
-    const double by_j = by_chi * chi / root;  // d chi / d j = chi / root
-    by_edge[k] += unit * (inverse * corners.edge[k] + by_j * cross(outside, corners.edge[b]));
-    by_edge[b] += unit * (inverse * corners.edge[b] + by_j * cross(corners.edge[k], outside));
+    const MeanRatioTerm term = mean_ratio_term(l, j, options.size_weight, eps);
+    sum += term.value;
+    by_edge[k] +=
+        unit * (term.by_l_twice * corners.edge[k] + term.by_j * cross(outside, corners.edge[b]));
+    by_edge[b] +=
+        unit * (term.by_l_twice * corners.edge[b] + term.by_j * cross(corners.edge[k], outside));
   }
   scatter(by_edge, gradient);
   return {sum, EvalStatus::ok};
