@@ -82,6 +82,18 @@ std::vector<Violation> check_output(const OutputMesh& mesh) {
   return validate(plain, {outline});
 }
 
+Error no_valid_mesh(const std::vector<Violation>& violations) {
+  const Violation& first = violations.front();
+  Error error;
+  error.code = ErrorCode::no_valid_mesh;
+  error.message = "No valid mesh was found: " + first.what +
+                  " Try a smaller size, or let the boundary be refined instead of kept.";
+  error.where.has_point = true;
+  error.where.x = first.point.x;
+  error.where.y = first.point.y;
+  return error;
+}
+
 std::vector<Warning> tell_triangles(const OutputMesh& mesh) {
   std::vector<Warning> warnings;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {

@@ -28,18 +28,6 @@ bool better(const QuadQuality& a, const QuadQuality& b) {
   return a.eta_mean + 0.01 * a.four_valent_percent > b.eta_mean + 0.01 * b.four_valent_percent;
 }
 
-Error describe(const std::vector<Violation>& violations) {
-  const Violation& first = violations.front();
-  Error error;
-  error.code = ErrorCode::no_valid_mesh;
-  error.message = "No valid mesh was found: " + first.what +
-                  " Try a smaller size, or let the boundary be refined instead of kept.";
-  error.where.has_point = true;
-  error.where.x = first.point.x;
-  error.where.y = first.point.y;
-  return error;
-}
-
 }  // namespace
 
 const char* stage_name(Stage stage) {
@@ -176,17 +164,7 @@ void Mesher::match() {
   const StageTimer timer(report_.times, "match");
   report_.tau = tau(triangles_);
   stage_ = Stage::clean;
-  if (trace_) {
-    trace_->triangles = triangles_;
-    EnergyWorkspace workspace;
-    EnergyOptions energy;
-    energy.p = options_.norm;
-    trace_->gradient.assign(triangles_.points.size(), {});
-    trace_->energy = lp_energy(triangles_, *fields_, energy, workspace, trace_->gradient);
-    clip_voronoi(triangles_, trace_->cells);
-    trace_->cell_energy = workspace.cell_energy;
-    trace_->cell_area = workspace.cell_area;
-  }
+  if (trace_) keep_triangles(*trace_, triangles_, *fields_);
   if (attempt().subdivide) {
     quads_ = subdivide_triangles(triangles_, boundary(), frame());
     triangles_left_ = 0;
@@ -290,7 +268,7 @@ Result<Stage> Mesher::check() {
   output_ = to_output(quads_, prepared_->domain,
                       attempt().subdivide ? halve_edges(nodes, frame()) : nodes);
   if (const std::vector<Violation> violations = check_output(output_); !violations.empty())
-    return next_attempt(describe(violations));
+    return next_attempt(no_valid_mesh(violations));
 
   report_.quality = quad_quality(quads_);
   if (const Index surplus = report_.quality.triangles - triangles_allowed(); surplus > 0)

@@ -46,4 +46,7 @@ struct Trace {
   std::vector<QuadStage> quads;  // after each stage
 };
 
+/// Where the points ended, with their cells and the energy of each.
+void keep_triangles(Trace& trace, const TriMesh& triangles, const Fields& fields);
+
 }  // namespace lpq
