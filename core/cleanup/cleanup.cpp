@@ -1,6 +1,5 @@
 #include "cleanup/cleanup.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "cleanup/darts.h"

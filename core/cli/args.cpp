@@ -1,8 +1,6 @@
 // See args.h.
 #include "cli/args.h"
 
-#include <limits>
-
 #include "base/nearest_name.h"
 #include "io/number.h"
 

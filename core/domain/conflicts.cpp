@@ -1,7 +1,5 @@
 #include "domain/conflicts.h"
 
-#include <algorithm>
-
 #include "domain/box_tree.h"
 #include "geometry/predicates.h"
 #include "geometry/segment.h"

@@ -1,7 +1,5 @@
 #include "domain/meetings.h"
 
-#include <algorithm>
-
 #include "geometry/predicates.h"
 #include "geometry/segment.h"
 

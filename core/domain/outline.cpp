@@ -1,6 +1,5 @@
 #include "domain/outline.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <optional>

@@ -1,7 +1,6 @@
 #include "field/cross_field.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/csr.h"
 #include "numerics/sparse.h"

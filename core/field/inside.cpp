@@ -1,6 +1,5 @@
 #include "field/inside.h"
 
-#include <algorithm>
 #include <set>
 
 #include "base/sort_numbers.h"

@@ -1,7 +1,5 @@
 #include "field/quadtree.h"
 
-#include <cmath>
-
 namespace lpq {
 namespace {
 

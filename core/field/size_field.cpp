@@ -1,7 +1,6 @@
 #include "field/size_field.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "mesh/neighbours.h"

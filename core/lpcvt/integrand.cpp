@@ -8,7 +8,6 @@
 #include "lpcvt/integrand.h"
 
 #include <cmath>
-#include <utility>
 
 #include "base/check.h"
 #include "numerics/elementary.h"

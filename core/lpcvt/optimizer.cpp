@@ -5,7 +5,6 @@
 // is the test of section 3.3.1, for nothing. Cost per evaluation O(#V).
 #include "lpcvt/optimizer.h"
 
-#include <cmath>
 #include <utility>
 
 #include "delaunay/delaunay.h"

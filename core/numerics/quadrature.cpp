@@ -4,7 +4,6 @@
 #include "numerics/quadrature.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "numerics/elementary.h"
 

@@ -1,6 +1,5 @@
 #include "patches/remesh.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "cleanup/smooth.h"

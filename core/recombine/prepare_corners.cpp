@@ -1,7 +1,6 @@
 #include "recombine/prepare_corners.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "mesh/walk.h"
 #include "recombine/edit.h"

@@ -2,8 +2,6 @@
 // perfect matching exists and match again, then build the quads.
 #include "recombine/recombine.h"
 
-#include <algorithm>
-
 #include "recombine/assemble.h"
 #include "recombine/dual_graph.h"
 #include "recombine/fans.h"

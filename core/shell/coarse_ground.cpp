@@ -1,8 +1,6 @@
 // See coarse_ground.h.
 #include "shell/coarse_ground.h"
 
-#include <algorithm>
-
 #include "field/field.h"
 #include "shell/nearby_places.h"
 #include "shell/place.h"

@@ -1,7 +1,6 @@
 // See mesh_charts.h.
 #include "shell/mesh_charts.h"
 
-#include <algorithm>
 #include <atomic>
 
 #include "base/share_out.h"

@@ -1,6 +1,4 @@
 // Large cross systems by levels of pairs: see cross_system.h.
-#include <cmath>
-#include <utility>
 
 #include "base/csr.h"
 #include "surface/cross_system.h"

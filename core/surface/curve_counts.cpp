@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "base/disjoint_sets.h"
 #include "base/sort_numbers.h"

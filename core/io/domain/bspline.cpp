@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "geometry/segment.h"
 #include "io/domain/curves.h"

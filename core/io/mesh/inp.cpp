@@ -1,7 +1,6 @@
 // See inp.h.
 #include "io/mesh/inp.h"
 
-#include <algorithm>
 #include <map>
 
 #include "base/sort_unique.h"

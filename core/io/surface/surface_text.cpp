@@ -1,8 +1,6 @@
 // See surface_text.h.
 #include "io/surface/surface_text.h"
 
-#include <cmath>
-
 namespace lpq {
 namespace {
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 
 #include "base/sort_numbers.h"
 #include "shell/shape/mend.h"

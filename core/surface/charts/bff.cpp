@@ -1,7 +1,6 @@
 #include "surface/charts/bff.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/sort_numbers.h"
 #include "domain/box_tree.h"

@@ -1,6 +1,5 @@
 #include "surface/charts/conformal.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
