@@ -82,3 +82,26 @@ TEST_CASE("a Hermitian system is factorised once, and again with new values") {
   factor.refactor(std::vector<ComplexTriplet>{{0, 0, -1}});
   CHECK(factor.status() == SparseStatus::not_positive_definite);
 }
+
+TEST_CASE("entries may come in any order and in both triangles") {
+  using Complex = std::complex<double>;
+  constexpr Index n = 60;
+  std::vector<ComplexTriplet> lower, whole;
+  for (Index k = 0; k < n; ++k) {
+    lower.push_back({k, k, 9});
+    for (const Index other : {k - 1, k - 7})
+      if (other >= 0) lower.push_back({k, other, Complex(std::cos(k), std::sin(other))});
+  }
+  for (auto t = lower.rbegin(); t != lower.rend(); ++t) {
+    whole.push_back(*t);
+    if (t->row != t->column) whole.push_back({t->column, t->row, std::conj(t->value)});
+  }
+  std::vector<Complex> b(n), x(n), y(n);
+  for (Index k = 0; k < n; ++k) b[k] = {std::sin(0.2 * k), 1};
+  SparseFactor<Complex>(n, lower).solve(b, x);
+  SparseFactor<Complex>(n, whole).solve(b, y);
+  CHECK(x == y);
+  std::vector<Complex> residual = b;
+  for (const ComplexTriplet& t : whole) residual[t.row] -= t.value * x[t.column];
+  for (const Complex& r : residual) CHECK(std::abs(r) < 1e-14 * n);
+}
