@@ -98,9 +98,10 @@ class SumMaker {
       add_ring(*others[0], *others[1]);
       others.erase(others.begin(), others.begin() + 2);
     }
-    for (const FaceBorder* border : others)
+    for (const FaceBorder* border : others) {
       for (const BorderSide& side : border->sides) row_.push_back({side.curve, 1});
-    end_sum(true);
+      end_sum(true);
+    }
   }
 
   void add_ring(const FaceBorder& a, const FaceBorder& b) {
