@@ -19,6 +19,9 @@ constexpr double price_in_ring = 0.9;
 // that two curves get one edge more each rather than one of them two.
 constexpr double price_of_odd = 2, price_at_first = 0.2;
 constexpr double least_gain = 1e-9;
+// Less is not worth other counts in other faces.
+constexpr double least_of_shift = 0.03;
+constexpr int most_passes = 10;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double misfit(const CountWish& wish, Index count) {
@@ -56,6 +59,7 @@ class Balancer {
     run(1, price_at_first);
     run(2, price_of_odd);
     run(1, price_of_odd);
+    return_to_wishes();
   }
 
  private:
@@ -69,8 +73,42 @@ class Balancer {
     }
   }
 
+  /// A chain may have gone the only way there was then, and be in the way of nothing now.
+  void return_to_wishes() {
+    bool changed = true;
+    for (int pass = 0; changed && pass < most_passes; ++pass) {
+      changed = false;
+      for (Index c = 0; c < static_cast<Index>(counts_.size()); ++c)
+        for (const Index unit : {1, 2})
+          while (shift(c, unit)) changed = true;
+    }
+  }
+
+  /// Brings a count nearer to its wish, and by chains those that must follow it. Only if the total
+  /// falls.
+  bool shift(Index curve, Index unit) {
+    const CountWish& wish = wishes_[curve];
+    const Index change = counts_[curve] < wish.steps ? unit : -unit;
+    if (!is_possible(curve, change)) return false;
+    if (!(misfit(wish, counts_[curve] + change) < misfit(wish, counts_[curve]))) return false;
+    unit_ = unit;
+    held_ = curve;
+    done_.clear();
+    double total = changed(curve, change);
+    done_.push_back({curve, change});
+    for (const SumOf& of : sums_of_.row(curve))
+      while (off(of.sum) >= unit && improve(of.sum)) total -= gain_;
+    held_ = none;
+    if (total < -least_of_shift) return true;
+    undo(done_);
+    return false;
+  }
+
   struct SumOf {
     Index sum, factor;
+  };
+  struct Change {
+    Index curve, by;
   };
   /// A chain has arrived at a sum that must fall (or rise) by the unit, over `curve` from `before`.
   struct Reached {
@@ -149,10 +187,9 @@ class Balancer {
 
   template <class Queue>
   void cross_curve(Index state, Index curve, Index change, Queue& ahead) {
+    if (curve == held_ || !is_possible(curve, change)) return;
     const CountWish& wish = wishes_[curve];
-    const Index count = counts_[curve] + change;
-    if (count < wish.fewest || change % wish.step != 0) return;
-    const double more = misfit(wish, count) - misfit(wish, counts_[curve]);
+    const double more = misfit(wish, counts_[curve] + change) - misfit(wish, counts_[curve]);
     Reached reached{best_[state].cost + std::max(0.0, more), curve, change, state};
     const SumOf* other = nullptr;
     for (const SumOf& of : sums_of_.row(curve)) {
@@ -177,15 +214,28 @@ class Balancer {
   bool apply() {
     double total = 0;
     bool possible = true;
-    std::vector<Reached> chain;
+    std::vector<Change> chain;
     for (Reached at = end_; at.curve != none; at = best_[at.before]) {
       total += changed(at.curve, at.change);
       possible = possible && counts_[at.curve] >= wishes_[at.curve].fewest;
-      chain.push_back(at);
+      chain.push_back({at.curve, at.change});
     }
-    if (possible && total < -least_gain) return true;
-    for (const Reached& at : chain) changed(at.curve, -at.change);
+    if (possible && total < -least_gain) {
+      gain_ = -total;
+      done_.insert(done_.end(), chain.begin(), chain.end());
+      return true;
+    }
+    undo(chain);
     return false;
+  }
+
+  void undo(std::span<const Change> changes) {
+    for (const Change& change : changes) changed(change.curve, -change.by);
+  }
+
+  bool is_possible(Index curve, Index change) const {
+    const CountWish& wish = wishes_[curve];
+    return counts_[curve] + change >= wish.fewest && change % wish.step == 0;
   }
 
   double changed(Index curve, Index change) {
@@ -207,6 +257,9 @@ class Balancer {
   Csr<SumOf> sums_of_;          // #curves
   std::vector<Reached> best_;   // 2 #sums
   std::vector<Index> touched_;  // states
+  std::vector<Change> done_;    // of chains that were kept
+  double gain_ = 0;             // of the last of them
+  Index held_ = none;           // the curve whose count chains leave
   Reached end_;
   Index unit_ = 1;
   double price_of_odd_ = price_of_odd;

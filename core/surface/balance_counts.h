@@ -17,7 +17,8 @@ struct CountWish {
 /// Lowers sum (n - steps)^2 / steps over curves plus a price for every edge by which a sum is off,
 /// along chains of curves: what one face needs less its neighbour behind that curve gets to bear,
 /// up to where the chain ends [HWB23 solve the same exactly, by flows]. Local; each chain
-/// lowers the total. Deterministic.
+/// lowers the total. In the end every curve may go back towards its steps, where chains can make up
+/// for it. Deterministic.
 void balance_counts(const CountSums& sums, std::span<const CountWish> wishes,
                     std::vector<Index>& counts);
 

@@ -2,6 +2,7 @@
 #include "surface/curves.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/rng.h"
@@ -10,6 +11,8 @@
 #include "support/surface_checks.h"
 #include "support/surface_curves.h"
 #include "support/surface_shapes.h"
+#include "surface/balance_counts.h"
+#include "surface/face_borders.h"
 #include "surface/repair.h"
 #include "surface/side_balance.h"
 
@@ -92,7 +95,7 @@ Index edge_count(const Curves& all, Index c) {
   return static_cast<Index>(all.nodes.nodes.row(c).size()) - 1;
 }
 
-CountSums sums_of(const Curves& all, double h) {
+std::vector<double> steps_of(const Curves& all, double h) {
   std::vector<double> steps;
   for (Index c = 0; c < all.curves.count(); ++c) {
     double length = 0;
@@ -101,7 +104,15 @@ CountSums sums_of(const Curves& all, double h) {
       length += distance(all.mesh.points[vertices[k - 1]], all.mesh.points[vertices[k]]);
     steps.push_back(length / h);
   }
-  return side_balances(all.mesh, all.features, all.curves, steps);
+  return steps;
+}
+
+CountSums sums_of(const Curves& all, double h) {
+  return side_balances(all.mesh, all.features, all.curves, steps_of(all, h));
+}
+
+std::vector<FaceBorder> borders_of(const Curves& all, double h) {
+  return face_borders(all.mesh, all.features, all.curves, steps_of(all, h));
 }
 
 Index value_of(const Curves& all, const CountSums& sums, Index s) {
@@ -243,6 +254,98 @@ TEST_CASE("bends smaller than the mesh are corners, round lines are not") {
     CHECK(curves_of(rounded_plate(1e-9, 1), h).curves.count() == 1);  // a disk
   }
   CHECK(curves_of(rounded_plate(3, 2), 1).curves.count() == 1);  // what the mesh can follow
+}
+
+TEST_CASE("wide bends count as turns where a border turns by right angles in all") {
+  // Half a disk: beside the mesh its arc is straight.
+  SurfaceSoup half;
+  half.points.push_back({});
+  for (int k = 0; k <= 48; ++k)
+    half.points.push_back({5 * std::cos(pi * k / 48), 5 * std::sin(pi * k / 48), 0});
+  for (Index k = 1; k <= 48; ++k) half.triangles.push_back({0, k, k + 1});
+  const Curves disk = curves_of(half, 1);
+  const auto borders = borders_of(disk, 1);
+  REQUIRE(borders.size() == 1);
+  CHECK(borders[0].turns == 4);
+  const auto arc = std::find_if(borders[0].sides.begin(), borders[0].sides.end(),
+                                [](const BorderSide& side) { return !side.is_straight(); });
+  REQUIRE(arc != borders[0].sides.end());
+  CHECK(arc->whole() == Approx(5 * pi).epsilon(0.01));
+  std::array<double, 4> length = arc->length;  // a quarter up, a half along, a quarter down
+  std::sort(length.begin(), length.end());
+  CHECK(length[0] == 0);
+  CHECK(length[1] == Approx(1.25 * pi).epsilon(0.1));
+  CHECK(length[3] == Approx(2.5 * pi).epsilon(0.1));
+
+  // Six corners of 60 degrees: which two of them do not count, nothing says.
+  SurfaceSoup hexagon;
+  hexagon.points.push_back({});
+  constexpr Index around = 30;
+  for (Index k = 0; k < around; ++k) {
+    const double a = pi / 3 * (k / 5), b = a + pi / 3, t = (k % 5) / 5.0;
+    hexagon.points.push_back({5 * ((1 - t) * std::cos(a) + t * std::cos(b)),
+                              5 * ((1 - t) * std::sin(a) + t * std::sin(b)), 0});
+  }
+  for (Index k = 0; k < around; ++k) hexagon.triangles.push_back({0, 1 + k, 1 + (k + 1) % around});
+  const Curves six = curves_of(hexagon, 1);
+  CHECK(borders_of(six, 1).at(0).turns == 6);
+}
+
+TEST_CASE("every hole gets an even number of edges") {
+  // Two triangles are missing in a lattice of them.
+  SurfaceSoup soup;
+  constexpr Index width = 7, height = 5;
+  for (Index y = 0; y < height; ++y)
+    for (Index x = 0; x < width; ++x) soup.points.push_back({x + 0.5 * y, std::sqrt(0.75) * y, 0});
+  for (Index y = 0; y + 1 < height; ++y)
+    for (Index x = 0; x + 1 < width; ++x) {
+      const Index a = y * width + x;
+      if (!(y == 1 && (x == 1 || x == 4))) soup.triangles.push_back({a, a + 1, a + width});
+      soup.triangles.push_back({a + 1, a + width + 1, a + width});
+    }
+  for (const double h : {0.2, 0.3, 0.35, 0.5}) {
+    const Curves all = curves_of(soup, h);
+    Index holes = 0;
+    for (const FaceBorder& border : borders_of(all, h)) {
+      if (border.sides.size() != 3) continue;
+      ++holes;
+      Index edges = 0;
+      for (const BorderSide& side : border.sides) edges += edge_count(all, side.curve);
+      CHECK(edges % 2 == 0);
+    }
+    CHECK(holes == 2);
+  }
+}
+
+TEST_CASE("counts go back to what the sizes ask for where sums let them") {
+  // A side of 7.5 steps opposite two of 3.7 and 5.3, and the same behind the latter: all balanced,
+  // but far from their steps.
+  CountSums sums;
+  for (const auto& row : {std::array<CountTerm, 3>{{{0, 1}, {1, -1}, {2, -1}}},
+                          std::array<CountTerm, 3>{{{2, 1}, {3, 1}, {4, -1}}}}) {
+    sums.terms.values.insert(sums.terms.values.end(), row.begin(), row.end());
+    sums.terms.end_row();
+  }
+  sums.constant = {0, 0};
+  sums.only_parity = sums.between_circles = {0, 0};
+  const std::vector<CountWish> wishes{{7.5}, {3.7}, {5.3}, {3.7}, {7.5}};
+  std::vector<Index> counts{6, 4, 2, 4, 6};
+  const auto misfit = [&](const std::vector<Index>& n) {
+    double sum = 0;
+    for (std::size_t c = 0; c < n.size(); ++c) {
+      const double off = n[c] - wishes[c].steps;
+      sum += off * off / wishes[c].steps;
+    }
+    return sum;
+  };
+  balance_counts(sums, wishes, counts);
+  CHECK(counts[0] == counts[1] + counts[2]);
+  CHECK(counts[4] == counts[2] + counts[3]);
+  double least = 1e9;
+  for (Index a = 1; a < 12; ++a)
+    for (Index b = 1; b < 12; ++b)
+      for (Index c = 1; c < 12; ++c) least = std::min(least, misfit({a + b, a, b, c, b + c}));
+  CHECK(misfit(counts) == Approx(least));
 }
 
 TEST_CASE("a dangling line and a cut have the same face on both sides") {
