@@ -10,6 +10,15 @@ Index ideal_quads(double angle) {
   return k;
 }
 
+double fitting_quads(double angle) {
+  const double quarters = angle / (pi / 2);
+  const auto k = static_cast<double>(static_cast<Index>(quarters));
+  const double change = 2 * k * (k + 1) / (2 * k + 1);
+  const double half = quarters < change ? 0.5 * (quarters - k) / (change - k)
+                                        : 0.5 + 0.5 * (quarters - change) / (k + 1 - change);
+  return k + half;
+}
+
 bool is_hollow_bend(double angle) {
   constexpr double least_bend = 33 * pi / 180, most_bend = 64 * pi / 180;
   return angle >= pi + least_bend && angle <= pi + most_bend;

@@ -10,6 +10,10 @@ namespace lpq {
 /// ratio, as k + 1 do: switches at 120, 216, 308.6 degrees.
 Index ideal_quads(double angle);
 
+/// The same as a number that grows steadily with the angle: k at 90 k degrees, k + 1/2 where k + 1
+/// quads become better than k, linear between.
+double fitting_quads(double angle);
+
 /// Of an inner angle between two walls, radians: is it one of those in a hollow bend of few edges,
 /// 213 to 244 degrees, where two quads (of at most 122 degrees) are nearly as good as three (of at
 /// least 71)?

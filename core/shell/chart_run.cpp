@@ -96,15 +96,22 @@ std::uint64_t fingerprint(Index chart, const DomainInput& input, const Fields& f
 /// Below it the worst quad of a face counts beside all others: in space little can be done for it.
 constexpr double least_eta = 0.2;
 
+/// Of a grid: at the border nodes slide later to where its lines end.
+double least_eta_inside(const QuadMesh& grid) {
+  double least = 1;
+  for (const Face& face : grid.faces)
+    if (!touches_border(grid, face)) least = std::min(least, face_eta(grid.points, face));
+  return least;
+}
+
 /// What is lacking in shape, and in regular vertices: one for each vertex counts as much as eta 0.
-MeshCost cost_of(const QuadMesh& quads) {
+MeshCost cost_of(const QuadMesh& quads, double eta_min) {
   const QuadTopology topology{QuadMesh(quads)};
   const IdealValence ideal(topology);
   MeshCost cost;
   for (Index v = 0; v < topology.vertex_count(); ++v)
     cost.irregularity += ideal.weight(topology, v);
-  const QuadQuality quality = quad_quality(quads);
-  cost.whole = 1 - quality.eta_mean + std::max(0.0, least_eta - quality.eta_min) +
+  cost.whole = 1 - quad_quality(quads).eta_mean + std::max(0.0, least_eta - eta_min) +
                cost.irregularity / static_cast<double>(topology.vertex_count());
   return cost;
 }
@@ -129,7 +136,10 @@ ChartRun::ChartRun(const Charted& charted, const CurveNodes& nodes, Index chart)
 std::optional<Result<OutputMesh>> ChartRun::step(const Options& options) {
   std::optional<Error> failure = advance(options);
   if (!failure && mesher_->stage() != Stage::done) return std::nullopt;
-  if (!failure) keep_better(mesher_->quads(), mesher_->output());
+  if (!failure) {
+    const QuadMesh& quads = mesher_->quads();
+    keep_better(quads, quad_quality(quads).eta_min, mesher_->output());
+  }
   if (begin_again(options)) return std::nullopt;
   if (best_) return Result<OutputMesh>(std::move(*best_));
   return Result<OutputMesh>(std::move(*failure));
@@ -147,8 +157,8 @@ std::optional<Error> ChartRun::advance(const Options& options) {
   return stage ? std::nullopt : std::optional(stage.error());
 }
 
-bool ChartRun::keep_better(const QuadMesh& quads, OutputMesh output) {
-  const MeshCost cost = cost_of(quads);
+bool ChartRun::keep_better(const QuadMesh& quads, double eta_min, OutputMesh output) {
+  const MeshCost cost = cost_of(quads, eta_min);
   if (best_ && !(cost.whole < cost_.whole)) return false;
   best_ = std::move(output);
   cost_ = cost;
@@ -161,7 +171,7 @@ bool ChartRun::take_grid(const Options& options) {
   auto grid = submapped_grid(mesher_->boundary(), mesher_->triangles(), cell_capacity(fields));
   if (!grid) return false;
   smooth_eta(*grid, fields, shape_smoothing(options));
-  return keep_better(*grid, mesher_->output_of(*grid));
+  return keep_better(*grid, least_eta_inside(*grid), mesher_->output_of(*grid));
 }
 
 /// Is there hope for a better mesh?

@@ -41,7 +41,7 @@ class ChartRun {
 
  private:
   std::optional<Error> advance(const Options& options);
-  bool keep_better(const QuadMesh& quads, OutputMesh output);
+  bool keep_better(const QuadMesh& quads, double eta_min, OutputMesh output);
   bool take_grid(const Options& options);
   bool may_gain(bool took_grid) const;
   bool begin_again(const Options& options);

@@ -31,3 +31,15 @@ TEST_CASE("the ideal always leaves room for strict convexity and minimises the w
     if (k > 1) CHECK(angle / (k - 1) - pi / 2 > pi / 2 - angle / k - 1e-12);
   }
 }
+
+TEST_CASE("the fitting number of quads grows steadily and rounds to the ideal") {
+  double before = 0;
+  for (int degrees = 1; degrees < 360; ++degrees) {
+    const double angle = degrees * pi / 180, fitting = fitting_quads(angle);
+    CHECK(fitting > before);
+    before = fitting;
+    if (degrees >= 45 && degrees != 120 && degrees != 216)
+      CHECK(ideal_quads(angle) == static_cast<Index>(fitting + 0.5));
+    if (degrees % 90 == 0) CHECK(fitting == Approx(degrees / 90));
+  }
+}

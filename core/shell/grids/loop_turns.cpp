@@ -20,8 +20,8 @@ constexpr std::size_t most_edges = 4000;
 constexpr Index most_turns = 8;
 // Edges by which a way that closes may be off the cheapest one.
 constexpr Index widest_reach = 8;
-// Of an edge that is off by a quarter turn: less than anything about quads.
-constexpr double price_of_angle = 0.01;
+// Of an edge that is off by a quarter turn; a node with one quad too many or too few is 1.
+constexpr double price_of_angle = 0.2;
 // Of a corner of a quad that would be flat.
 constexpr double flat_corner = 170 * pi / 180, price_of_flat = 6;
 
@@ -41,11 +41,11 @@ std::vector<Turning> turnings_of(std::span<const Vec2> points, std::size_t first
   }
   std::vector<Turning> turnings(n);
   for (std::size_t k = 0; k < n; ++k) {
-    const bool either = is_in_hollow_bend(angle[(k + n - 1) % n], angle[k], angle[(k + 1) % n]);
-    const IdealValence::Count count{0, ideal_quads(angle[k]), true, either};
-    for (Index quads = 1; quads <= 3; ++quads)
+    for (Index quads = 1; quads <= 3; ++quads) {
+      const double off = quads - fitting_quads(angle[k]);
       turnings[k].price[static_cast<std::size_t>(3 - quads)] =
-          count.weight(quads) + (angle[k] < flat_corner * quads ? 0 : price_of_flat);
+          off * off + (angle[k] < flat_corner * quads ? 0 : price_of_flat);
+    }
     turnings[k].turn = (pi - angle[k]) / (pi / 2);
   }
   return turnings;

@@ -11,9 +11,9 @@ namespace lpq {
 
 /// Directions (lattice_step) of the edges of a simple polygon, the domain on its left, edge k from
 /// points[k] to points[k + 1]: the line closes on the lattice and turns once in all, as it does in
-/// the plane. Of such ways the one whose quads at the nodes cost least (IdealValence): one quad at
-/// a turn to the left, two straight on, three at a turn to the right; among equals the one whose
-/// edges keep nearest to their directions in the plane. `axis`: direction 0 there, radians. Empty
+/// the plane. Of such ways the one that costs least: for quads at the nodes that do not fit
+/// (fitting_quads; one at a turn to the left, two straight on, three at a turn to the right), and
+/// for edges that are off their directions in the plane. `axis`: direction 0 there, radians. Empty
 /// if no way near the cheapest one closes, or if the polygon has more than 4000 edges. Cost
 /// O(#points), times up to 5000 where the cheapest way does not close.
 std::vector<Index> loop_turns(std::span<const Vec2> points, double axis);

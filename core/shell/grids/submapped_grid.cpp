@@ -94,18 +94,27 @@ QuadMesh in_the_plane(const BoundaryMesh& boundary, LatticeQuads quads) {
   return grid;
 }
 
-// The share of quads that may be tangled before positions are looked for that undo it.
-constexpr double most_tangled = 0.2;
+// The share of quads that may be tangled before positions are looked for that undo it, and after
+// that, at the border: its nodes will slide along their curves.
+constexpr double most_tangled = 0.2, most_left = 0.02;
 
 bool make_convex(QuadMesh& grid) {
+  const auto faces = static_cast<double>(grid.faces.size());
   const auto tangled = static_cast<double>(invalid_faces(grid).size());
   if (tangled == 0) return true;
-  if (tangled > most_tangled * static_cast<double>(grid.faces.size())) return false;
+  if (tangled > most_tangled * faces) return false;
   untangle(grid);
-  return invalid_faces(grid).empty();
+  const std::vector<Index> left = invalid_faces(grid);
+  return static_cast<double>(left.size()) <= most_left * faces &&
+         std::all_of(left.begin(), left.end(),
+                     [&](Index f) { return touches_border(grid, grid.faces[f]); });
 }
 
 }  // namespace
+
+bool touches_border(const QuadMesh& grid, const Face& face) {
+  return std::any_of(face.begin(), face.end(), [&](Index v) { return v < grid.fixed; });
+}
 
 std::optional<QuadMesh> submapped_grid(const BoundaryMesh& boundary, const TriMesh& triangles,
                                        double wanted) {
