@@ -64,15 +64,33 @@ test('the ends of a ramp are never broken, and what is between them is level', a
   await page.context().close();
 });
 
+const screens = [[320, 740], [360, 740], [390, 844], [600, 800], [768, 1024], [844, 390], [900, 700], [1000, 700], [1024, 768], [1280, 800]];
+
 for (const place of ['', 'space.html#preset=saddle&size=0.25'])
-  for (const width of [320, 360, 390])
-    test(`all tabs are in sight, whichever is open: ${place || 'plane'}, ${width} px`, () => onPage({ hash: place, width, height: 740 }, async (page) => {
+  test(`all tabs are in sight, in one row, whichever is open: ${place || 'plane'}`, () => onPage({ hash: place }, async (page) => {
+    for (const [width, height] of screens) {
+      await page.setViewportSize({ width, height });
       for (const tab of await page.getByRole('tab').all()) {
         await tab.click();
-        const [shown, all] = await page.locator('.tabs').evaluate(({ clientWidth, scrollWidth }) => [clientWidth, scrollWidth]);
-        assert.ok(all <= shown, `${await tab.textContent()}: ${all} of ${shown} px`);
+        const [shown, all, rows] = await page.locator('.tabs').evaluate((tabs) =>
+          [tabs.clientWidth, tabs.scrollWidth, new Set([...tabs.children].map((one) => one.getBoundingClientRect().top)).size]);
+        assert.ok(all <= shown && rows === 1, `${width} px, ${await tab.textContent()}: ${all} of ${shown} px in ${rows} rows`);
       }
-    }));
+    }
+  }));
+
+for (const touch of [false, true])
+  test(`all tools are in sight and large enough to hit: ${touch ? 'fingers' : 'mouse'}`, () => onPage({ touch }, async (page) => {
+    assert.equal(await page.evaluate(() => matchMedia('(pointer: coarse)').matches), touch);
+    for (const [width, height] of screens) {
+      await page.setViewportSize({ width, height });
+      const [rail, ...boxes] = await page.locator('#tools').evaluate((tools) => [tools, ...tools.children].map((one) => one.getBoundingClientRect().toJSON()));
+      for (const box of boxes) {
+        assert.ok(box.left >= 0 && box.right <= width && box.bottom <= rail.bottom, `${width} px: ${JSON.stringify(box)}`);
+        assert.ok(box.width >= 28 && box.height >= 36, `${width} px: ${box.width} x ${box.height}`);
+      }
+    }
+  }));
 
 for (const width of [320, 768, 1440])
   test(`formulas are complete: ${width} px`, () => onPage({ width, height: 900 }, async (page) => {
