@@ -88,6 +88,10 @@ test('a size gives the number of quads that it was asked for', () => {
   const square = { points: Float64Array.of(0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0), triangles: Uint32Array.of(0, 1, 2, 0, 2, 3) };
   near(areaOf(square), 4);
   near(sizeFor(square, 400), 0.1);
+  let looks = 0;
+  const counted = { points: square.points, get triangles() { ++looks; return square.triangles; } };
+  for (let i = 0; i < 5; ++i) near(areaOf(counted), 4);
+  assert.equal(looks, 1);  // whatever asks at every tick of a run
   assert.deepEqual(boxOf(square.points).middle, [1, 1, 0]);
 });
 
