@@ -42,6 +42,31 @@ test('numbers of a vertex leave no room that others need, whatever is chosen', (
   assert.ok(await gap() < 12);
 }));
 
+test('what one can begin with is not far down on a phone', () => onPage({ width: 360, height: 740, touch: true }, async (page) => {
+  const down = await page.locator('.preset').first().evaluate((preset) =>
+    preset.getBoundingClientRect().top - preset.closest('.tab-body').getBoundingClientRect().top);
+  assert.ok(down < 560, `${down} px`);
+  await page.click('[data-action="vertex.next"]');
+  await page.locator('.chosen-fields').getByLabel('Edge name').waitFor();
+}));
+
+test('a comparison leaves the page as high as the screen', async () => {
+  const page = await playground.open({ hash: '#preset=plate&comparison=lp', width: 720, height: 450 });
+  await page.getByRole('tab', { name: 'Compare' }).click();
+  await page.locator('.differences').waitFor();
+  const [high, screen] = await page.evaluate(() => [document.documentElement.scrollHeight, innerHeight]);
+  assert.ok(high <= screen, `${high} of ${screen} px`);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('a notice about a file with a long name stays within its frame', () => onPage({ hash: 'space.html#preset=saddle&size=0.25', width: 720, height: 450 }, async (page) => {
+  await page.evaluate(() => globalThis.playground.notify(`Reading ${'housing_cover_'.repeat(8)}.step …`, () => {}));
+  const [bar, ...parts] = await page.locator('.notice').evaluate((notice) =>
+    [notice, ...notice.children].map((one) => one.getBoundingClientRect().toJSON()));
+  for (const part of parts) assert.ok(part.right <= bar.right && part.bottom <= bar.bottom, JSON.stringify([bar, part]));
+}));
+
 test('L with a lower p is one word where meshes are compared', () => onPage({}, async (page) => {
   await page.getByRole('tab', { name: 'Compare' }).click();
   const gap = await page.locator('.comparisons label', { hasText: 'with L' }).evaluate((label) => {
