@@ -250,7 +250,8 @@ test('the page for the plane says them the same way', () => {
 
 test('a link to a surface that there is not says which there are', () => {
   assert.match(problemOf('#preset=nonsense&size=1'), /no surface “nonsense”.*pressed panel, gear/);
-  for (const good of ['', '#preset=gear', '#size=0.2', ...presets.map(({ id }) => `#preset=${id}`)]) assert.equal(problemOf(good), '');
+  assert.match(problemOf('#preset=gear&layers=quads.nonsense'), /no layer “nonsense”.*surface, sharp edges/);
+  for (const good of ['', '#layers=', '#preset=gear&layers=quads.cells', '#preset=gear', '#size=0.2', ...presets.map(({ id }) => `#preset=${id}`)]) assert.equal(problemOf(good), '');
 });
 
 test('irregular vertices on sharp edges are counted apart, those on borders not at all', () => {
