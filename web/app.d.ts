@@ -6,6 +6,8 @@ import type { Tabs } from './panels/tabs.js';
 import type { Runner } from './run/runner.js';
 import type { Store } from './state/store.js';
 import type { Themes } from './header/theme.js';
+import type { Reading } from './files/reading.js';
+import type { Notify } from './panels/notice.js';
 import type { Keeping } from './state/keeping.js';
 import type { WorkerSession } from 'lpquad/worker';
 import type { Drawing, Project, Run, Scene } from './types';
@@ -29,11 +31,13 @@ export interface App {
   /** Runs that were recorded elsewhere: shown instead of meshing their projects. */
   recordings: { project: Project; open: () => Promise<WorkerSession> }[];
   /** Shows a sentence above the stage, and says it. */
-  notify: (text: string) => void;
+  notify: Notify;
+  /** Reads a file so that it can be given up. Set when all is together. */
+  reading: Reading;
   /** Opens what a person chose, dropped or pasted. Set by the sketch part. */
   openFiles: (files: File[]) => Promise<void>;
   /** Asked first, in order, whether files are theirs; the sketch part takes what is left. */
-  openers: ((files: File[]) => Promise<boolean> | boolean)[];
+  openers: ((files: File[], signal: AbortSignal) => Promise<boolean> | boolean)[];
   /** The scene as it is drawn now. */
   scene: () => Scene;
 }

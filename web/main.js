@@ -6,6 +6,7 @@ import { Sides } from './compare/sides.js';
 import { dark, light } from './draw/palette.js';
 import { installFiguresTab } from './figures/figures_tab.js';
 import { handedFile } from './files/hand_over.js';
+import { createReading } from './files/reading.js';
 import { installOpeningProjects } from './files/open_project.js';
 import { installOpeningSurfaces } from './files/open_surface.js';
 import { installFiles } from './files/files.js';
@@ -59,7 +60,7 @@ const app = {
   sides: new Sides({ letter: '', name: '', runner, scene, project: () => store.project }), led: () => app.sides.all.map((side) => side.runner),
   problemsOf: () => [], openFiles: async () => {}, openers: [], recordings: [],
   announce: (text) => setText(element('announcer'), text),
-  notify,
+  notify, reading: async () => null,
   keeping: new Keeping({ store, runner, notify }),
 };
 
@@ -78,6 +79,7 @@ installOpeningSurfaces(app);
 installStages(app);
 installFiles(app);
 installOffline(app);
+app.reading = createReading(app);  // last: its Escape is the first
 const openChapter = installLearn(app);
 
 const startRun = installFollowing(app, preview);

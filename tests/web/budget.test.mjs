@@ -39,6 +39,10 @@ test('the page for the plane never loads what draws in space', () => {
   for (const name of onlySpace) assert.ok(!scriptsOf('index.html').includes(name), name);
 });
 
+test('the licence of what is in the scripts goes with them', () => {
+  assert.match(readFileSync(join(assets, 'three.LICENSE.txt'), 'utf8'), /MIT License[^]*three\.js authors/);
+});
+
 test('what the first paint waits for is small: the page, its style, and no script', (t) => {
   const html = readFileSync(join(folder, 'index.html'), 'utf8'), gzipped = (bytes) => gzipSync(bytes, { level: 9 }).length;
   const styles = [...html.matchAll(/<link[^>]*rel="stylesheet"[^>]*href="([^"]+)"/g)].map(([, href]) => readFileSync(join(folder, href)));

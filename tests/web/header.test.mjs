@@ -73,7 +73,7 @@ test('the help has words for every group, and a key does one thing at a time', a
     const { actions } = globalThis.playground, keys = actions.all.flatMap(({ keys: own = [] }) => own);
     return keys.filter((key, i) => keys.indexOf(key) !== i);
   });
-  assert.deepEqual(shared, ['N']);  // the page of the tour, where that is read, and elsewhere the vertex
+  assert.deepEqual(shared, ['Escape', 'N']);  // the file that is read, else the run; the page of the tour, where that is read, and elsewhere the vertex
   await page.context().close();
 });
 

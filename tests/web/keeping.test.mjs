@@ -66,6 +66,18 @@ test('a hostile link leaves the page in order and says why', async () => {
   }
 });
 
+test('a link to a chapter or a comparison that there is not says so, when it is opened first and later', async () => {
+  const page = await playground.open({ hash: '#chapter=nowhere' });
+  await page.locator('.notice', { hasText: 'This link could not be opened: there is no chapter “nowhere”.' }).waitFor();
+  await finished(page);
+  await page.click('.notice button');
+  await page.evaluate(() => { location.hash = '#preset=gear&comparison=nothing-like-it'; });
+  await page.locator('.notice', { hasText: 'there is no comparison “nothing-like-it”' }).waitFor();
+  assert.equal(await page.locator('#project-name').textContent(), 'Plate with a hole');
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
 test('the next visit finds the project, with or without storage', async () => {
   const page = await playground.open({ hash: await toFragment(small) });
   await count(page);

@@ -42,6 +42,23 @@ test('numbers of a vertex leave no room that others need, whatever is chosen', (
   assert.ok(await gap() < 12);
 }));
 
+test('a comparison leaves the page as high as the screen', async () => {
+  const page = await playground.open({ hash: '#preset=plate&comparison=lp', width: 720, height: 450 });
+  await page.getByRole('tab', { name: 'Compare' }).click();
+  await page.locator('.differences').waitFor();
+  const [high, screen] = await page.evaluate(() => [document.documentElement.scrollHeight, innerHeight]);
+  assert.ok(high <= screen, `${high} of ${screen} px`);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test('a notice about a file with a long name stays within its frame', () => onPage({ hash: 'space.html#preset=saddle&size=0.25', width: 720, height: 450 }, async (page) => {
+  await page.evaluate(() => globalThis.playground.notify(`Reading ${'housing_cover_'.repeat(8)}.step …`, () => {}));
+  const [bar, ...parts] = await page.locator('.notice').evaluate((notice) =>
+    [notice, ...notice.children].map((one) => one.getBoundingClientRect().toJSON()));
+  for (const part of parts) assert.ok(part.right <= bar.right && part.bottom <= bar.bottom, JSON.stringify([bar, part]));
+}));
+
 test('L with a lower p is one word where meshes are compared', () => onPage({}, async (page) => {
   await page.getByRole('tab', { name: 'Compare' }).click();
   const gap = await page.locator('.comparisons label', { hasText: 'with L' }).evaluate((label) => {
@@ -64,15 +81,33 @@ test('the ends of a ramp are never broken, and what is between them is level', a
   await page.context().close();
 });
 
+const screens = [[320, 740], [360, 740], [390, 844], [600, 800], [768, 1024], [844, 390], [640, 400], [900, 700], [1000, 700], [1024, 768], [1280, 800]];
+
 for (const place of ['', 'space.html#preset=saddle&size=0.25'])
-  for (const width of [320, 360, 390])
-    test(`all tabs are in sight, whichever is open: ${place || 'plane'}, ${width} px`, () => onPage({ hash: place, width, height: 740 }, async (page) => {
+  test(`all tabs are in sight, in one row, whichever is open: ${place || 'plane'}`, () => onPage({ hash: place }, async (page) => {
+    for (const [width, height] of screens) {
+      await page.setViewportSize({ width, height });
       for (const tab of await page.getByRole('tab').all()) {
         await tab.click();
-        const [shown, all] = await page.locator('.tabs').evaluate(({ clientWidth, scrollWidth }) => [clientWidth, scrollWidth]);
-        assert.ok(all <= shown, `${await tab.textContent()}: ${all} of ${shown} px`);
+        const [shown, all, rows] = await page.locator('.tabs').evaluate((tabs) =>
+          [tabs.clientWidth, tabs.scrollWidth, new Set([...tabs.children].map((one) => one.getBoundingClientRect().top)).size]);
+        assert.ok(all <= shown && rows === 1, `${width} px, ${await tab.textContent()}: ${all} of ${shown} px in ${rows} rows`);
       }
-    }));
+    }
+  }));
+
+for (const touch of [false, true])
+  test(`all tools are in sight and large enough to hit: ${touch ? 'fingers' : 'mouse'}`, () => onPage({ touch }, async (page) => {
+    assert.equal(await page.evaluate(() => matchMedia('(pointer: coarse)').matches), touch);
+    for (const [width, height] of screens) {
+      await page.setViewportSize({ width, height });
+      const [rail, ...boxes] = await page.locator('#tools').evaluate((tools) => [tools, ...tools.children].map((one) => one.getBoundingClientRect().toJSON()));
+      for (const box of boxes) {
+        assert.ok(box.left >= 0 && box.right <= width && box.bottom <= rail.bottom, `${width} px: ${JSON.stringify(box)}`);
+        assert.ok(box.width >= 28 && box.height >= (touch ? 44 : 24), `${width} px: ${box.width} x ${box.height}`);
+      }
+    }
+  }));
 
 for (const width of [320, 768, 1440])
   test(`formulas are complete: ${width} px`, () => onPage({ width, height: 900 }, async (page) => {

@@ -18,7 +18,7 @@ const drawing = {
 };
 const full = {
   ...emptyProject, name: 'a & b=c+d #1', drawing, options: { size: 1 / 3, method: 'paper', strict: true, iterations: -1 },
-  sizes: [[0, -0, 1e-9]], guides: [[[0, 0], [1, 1e-300]]], seedPoints: [[0.25, 0.75]], layers: ['cells', 'density'], comparison: 'norm-2',
+  sizes: [[0, -0, 1e-9]], guides: [[[0, 0], [1, 1e-300]]], seedPoints: [[0.25, 0.75]], layers: ['cells', 'density'], comparison: 'norm',
 };
 const preset = presets[0].project;
 
@@ -78,7 +78,7 @@ test('hostile and damaged fragments are refused in words', async () => {
     '#data=', '#data=!!!', '#data=AAAA', good.slice(0, -9), '#preset=nowhere', '#preset=__proto__', '#preset=constructor', '#what=1',
     '#preset=plate&options=size:Infinity', '#preset=plate&options=size:-1', '#preset=plate&options=norm:99', '#preset=plate&options=constructor:1',
     '#preset=plate&options=__proto__:1', '#preset=plate&options=method:evil', '#preset=plate&options=iterations:1.5', '#preset=plate&options=strict:1',
-    '#preset=plate&options=size', '#preset=plate&layers=cells,<b>', '#preset=plate&layers=toString', '#preset=plate&comparison=<img>', '#%E0%A4%A=1', '#preset=%00',
+    '#preset=plate&options=size', '#preset=plate&layers=cells,<b>', '#preset=plate&layers=toString', '#preset=plate&comparison=<img>', '#preset=plate&comparison=nowhere', '#chapter=nowhere', '#preset=plate&chapter=toString', '#preset=plate&tick=-1', '#preset=plate&tick=x', '#%E0%A4%A=1', '#preset=%00',
     await packed('{"drawing":'), await packed('null'), await packed('[]'), await packed({ drawing: 7 }), await packed({ drawing: { regions: {} } }),
     await packed(loops([0, 0], [1, 0], [0, null])), await packed(loops([0, 0], [1, 0], [0, 'x'])), await packed(loops([0, 0], [1, 0], [1, 2, 3])),
     await packed('{"drawing":{"regions":[{"loops":[[[0,1e999]]]}]}}'), await packed({ ...loops([0, 0]), sizes: [[0, 0, 0]] }),

@@ -36,6 +36,26 @@ test('a polygon has the pixels whose centres it holds', () => {
   }
 });
 
+test('a polygon of very many corners has them too, whether its sides are short or cross most rows', () => {
+  const random = randoms(11), size = 120;
+  const wavy = circle(60, 60, 1, 3000).map(([x, y], i) => [60 + (40 + 15 * Math.sin(i / 40)) * (x - 60), 60 + (40 + 15 * Math.sin(i / 40)) * (y - 60)]);
+  const tangle = Array.from({ length: 700 }, () => [160 * random() - 20, 160 * random() - 20]);
+  const comb = Array.from({ length: 30000 }, (_, i) => [size * i / 30000, i % 2 ? -5 : 125]);  // more crossings than are kept at once
+  for (const corners of [wavy, tangle, comb]) {
+    const raster = new Raster(size, size);
+    raster.fillPolygon(flat(corners), corners.length, black);
+    for (let k = 0; k < 400; ++k) {
+      const column = Math.floor(size * random()), row = Math.floor(size * random());
+      let inside = false;
+      corners.forEach(([u, v], i) => {
+        const [x, y] = corners.at(i - 1);
+        if ((v <= row + 0.5) !== (y <= row + 0.5) && u + (row + 0.5 - v) / (y - v) * (x - u) < column + 0.5) inside = !inside;
+      });
+      assert.equal(raster.pixels[row * size + column] !== 0, inside, `${corners.length} corners, ${column}, ${row}`);
+    }
+  }
+});
+
 test('a triangulation covers every pixel exactly once, whatever the way round', () => {
   const random = randoms(3), n = 24, size = 96;
   const at = Array.from({ length: (n + 1) ** 2 }, (_, k) => {

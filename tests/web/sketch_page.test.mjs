@@ -436,6 +436,22 @@ test('of a drawing that was replaced nothing stays on the stage; of one that was
   await close(page);
 });
 
+test('to begin empty is no error: the page says what to do', async () => {
+  const page = await withPreset('square');
+  await page.click('[data-action="sketch.empty"]');
+  const bar = page.locator('.error-bar', { hasText: 'There is nothing to mesh yet.' });
+  await bar.getByText('Click the corners of an outline here').waitFor();
+  const [line, error] = await bar.evaluate((one) => {
+    const probe = document.createElement('i');
+    probe.style.color = 'var(--error)';
+    one.append(probe);
+    return [getComputedStyle(one).borderTopColor, getComputedStyle(probe).color];
+  });
+  assert.notEqual(line, error);
+  await page.locator('.stage-name', { hasText: 'no mesh: There is nothing to mesh yet.' }).waitFor();
+  await close(page);
+});
+
 test('the message about an error is not over its place, and complete on a phone', async () => {
   for (const [width, height] of [[1280, 800], [360, 740], [740, 360]]) {
     const page = await withPreset('square', { width, height });

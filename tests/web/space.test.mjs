@@ -88,6 +88,10 @@ test('a size gives the number of quads that it was asked for', () => {
   const square = { points: Float64Array.of(0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0), triangles: Uint32Array.of(0, 1, 2, 0, 2, 3) };
   near(areaOf(square), 4);
   near(sizeFor(square, 400), 0.1);
+  let looks = 0;
+  const counted = { points: square.points, get triangles() { ++looks; return square.triangles; } };
+  for (let i = 0; i < 5; ++i) near(areaOf(counted), 4);
+  assert.equal(looks, 1);  // whatever asks at every tick of a run
   assert.deepEqual(boxOf(square.points).middle, [1, 1, 0]);
 });
 
@@ -246,7 +250,8 @@ test('the page for the plane says them the same way', () => {
 
 test('a link to a surface that there is not says which there are', () => {
   assert.match(problemOf('#preset=nonsense&size=1'), /no surface “nonsense”.*pressed panel, gear/);
-  for (const good of ['', '#preset=gear', '#size=0.2', ...presets.map(({ id }) => `#preset=${id}`)]) assert.equal(problemOf(good), '');
+  assert.match(problemOf('#preset=gear&layers=quads.nonsense'), /no layer “nonsense”.*surface, sharp edges/);
+  for (const good of ['', '#layers=', '#preset=gear&layers=quads.cells', '#preset=gear', '#size=0.2', ...presets.map(({ id }) => `#preset=${id}`)]) assert.equal(problemOf(good), '');
 });
 
 test('irregular vertices on sharp edges are counted apart, those on borders not at all', () => {

@@ -2,6 +2,9 @@
 // times faster so than as paths, a tiling has no seams, and the work can rest at any moment.
 // A pixel belongs to the polygon that holds its centre; lines are smooth.
 
+const many = 256;  // corners of a polygon, more than any quad or cell has
+const mostCrossings = 2 ** 21;
+
 export class Raster {
   /** Where the lines of a row are crossed. */
   #crossings = new Float64Array(64);
@@ -25,10 +28,39 @@ export class Raster {
       low = Math.min(low, corners[i]);
       high = Math.max(high, corners[i]);
     }
+    const first = Math.max(0, Math.ceil(low - 0.5)), last = Math.min(this.height, Math.ceil(high - 0.5));
+    if (count > many && this.#fillBySides(corners, count, rgba, first, last)) return;
     if (count > this.#crossings.length) this.#crossings = new Float64Array(2 * count);
-    const last = Math.min(this.height, Math.ceil(high - 0.5));
-    for (let row = Math.max(0, Math.ceil(low - 0.5)); row < last; ++row)
-      this.#fillRow(row, this.#cross(corners, count, row + 0.5), rgba);
+    for (let row = first; row < last; ++row) this.#fillRow(row, this.#crossings, 0, this.#cross(corners, count, row + 0.5), rgba);
+  }
+
+  /**
+   * The same for many corners, unless it takes too much memory: each side is asked for its rows, not each row for its sides.
+   * @param {Float64Array} corners  @param {number} count  @param {number} rgba  @param {number} first  row  @param {number} last  row, not in it
+   * @returns {boolean}  whether it was done
+   */
+  #fillBySides(corners, count, rgba, first, last) {
+    const each = (/** @type {(row: number, side: number, before: number) => void} */ found) => {
+      for (let i = 0, before = count - 1; i < count; before = i++) {
+        const y0 = corners[2 * before + 1], y1 = corners[2 * i + 1];
+        const end = Math.min(last, Math.ceil(Math.max(y0, y1) - 0.5));
+        for (let row = Math.max(first, Math.ceil(Math.min(y0, y1) - 0.5)); row < end; ++row) found(row - first, i, before);
+      }
+    };
+    const ends = new Uint32Array(Math.max(0, last - first));  // of each row's crossings, among all of them
+    each((row) => { ++ends[row]; });
+    for (let row = 1; row < ends.length; ++row) ends[row] += ends[row - 1];
+    const all = ends.at(-1) ?? 0;
+    if (all > mostCrossings) return false;
+    const crossings = new Float64Array(all), begins = ends.slice();
+    each((row, i, before) => {
+      crossings[--begins[row]] = crossingOf(corners[2 * before], corners[2 * before + 1], corners[2 * i], corners[2 * i + 1], first + row + 0.5);
+    });
+    ends.forEach((end, row) => {
+      crossings.subarray(begins[row], end).sort();
+      this.#fillRow(first + row, crossings, begins[row], end, rgba);
+    });
+    return true;
   }
 
   /**
@@ -49,12 +81,12 @@ export class Raster {
     return found;
   }
 
-  /** @param {number} row  @param {number} found  @param {number} rgba */
-  #fillRow(row, found, rgba) {
+  /** @param {number} row  @param {Float64Array} crossings  sorted  @param {number} begin  @param {number} end  @param {number} rgba */
+  #fillRow(row, crossings, begin, end, rgba) {
     const start = row * this.width;
-    for (let k = 0; k + 1 < found; k += 2) {
-      const from = Math.max(0, Math.ceil(this.#crossings[k] - 0.5));
-      const to = Math.min(this.width, Math.ceil(this.#crossings[k + 1] - 0.5));
+    for (let k = begin; k + 1 < end; k += 2) {
+      const from = Math.max(0, Math.ceil(crossings[k] - 0.5));
+      const to = Math.min(this.width, Math.ceil(crossings[k + 1] - 0.5));
       for (let i = start + from; i < start + to; ++i) this.pixels[i] = rgba;
     }
   }

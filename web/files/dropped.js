@@ -1,7 +1,7 @@
 // What was dropped, folders opened: a folder itself is no file that can be read.
 
 /** @param {DataTransfer | null} transfer  @returns {Promise<File[]>} */
-export async function droppedFiles(transfer) {
+async function droppedFiles(transfer) {
   if (transfer === null) return [];
   const entries = [...transfer.items].map((item) => item.webkitGetAsEntry());  // at once: the event ends
   if (!entries.some((entry) => entry?.isDirectory)) return [...transfer.files];
@@ -20,4 +20,19 @@ async function filesOf(entry) {
     if (some.length === 0) return files;
     files.push(...(await Promise.all(some.filter((one) => one.isFile).map(filesOf))).flat());
   }
+}
+
+/** Shows that files may be dropped, and takes them. @param {HTMLElement} mark  @param {(files: File[]) => Promise<void>} open
+ * @param {(thrown: unknown) => void} fail  where they cannot be read */
+export function listenForDrops(mark, open, fail) {
+  const hasFiles = (/** @type {DragEvent} */ { dataTransfer }) => dataTransfer?.types.includes('Files') ?? false;
+  window.addEventListener('dragover', (event) => {
+    event.preventDefault();  // whatever it is: the page is not left
+    mark.classList.toggle('dropping', hasFiles(event));
+  });
+  for (const name of /** @type {const} */ (['dragleave', 'dragend', 'drop'])) window.addEventListener(name, () => mark.classList.remove('dropping'));
+  window.addEventListener('drop', (event) => {
+    event.preventDefault();
+    if (hasFiles(event)) void droppedFiles(event.dataTransfer).then(open, fail);
+  });
 }

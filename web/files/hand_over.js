@@ -1,28 +1,16 @@
 // A file that belongs on the other page is taken there: plane or space.
+import { answer, openStore } from '../state/database.js';
 
-/** @returns {Promise<IDBObjectStore>} */
-function openStore() {
-  return new Promise((resolve, reject) => {
-    const opening = indexedDB.open('lpquad', 1);
-    opening.onupgradeneeded = () => opening.result.createObjectStore('handed');
-    opening.onsuccess = () => resolve(opening.result.transaction('handed', 'readwrite').objectStore('handed'));
-    opening.onerror = () => reject(opening.error);
-  });
-}
+const handed = () => openStore('lpquad', 'handed');
 
-/** @template T  @param {IDBRequest<T>} request  @returns {Promise<T>} */
-const answer = (request) => new Promise((resolve, reject) => {
-  request.onsuccess = () => resolve(request.result);
-  request.onerror = () => reject(request.error);
-});
-
-/** Goes to the other page with the file. @param {File} file  @param {string} page */
-export async function handOver(file, page) {
+/** Goes to the other page with the file. @param {File} file  @param {string} page  @param {AbortSignal} signal */
+export async function handOver(file, page, signal) {
   try {
-    await answer((await openStore()).put(file, 'file'));
+    await answer((await handed()).put(file, 'file'));
   } catch (cause) {
     throw new Error('It belongs on the other page, Plane or Space, and this browser does not let it be handed over. Open it there.', { cause });
   }
+  signal.throwIfAborted();
   location.assign(`${page}#file`);
 }
 
@@ -31,9 +19,9 @@ export async function handedFile() {
   if (location.hash !== '#file') return undefined;
   history.replaceState(null, '', location.pathname + location.search);
   try {
-    const store = await openStore();
+    const store = await handed();
     const file = await answer(/** @type {IDBRequest<File | undefined>} */ (store.get('file')));
-    await answer((await openStore()).delete('file'));
+    await answer((await handed()).delete('file'));
     return file;
   } catch {
     return undefined;  // the browser keeps nothing for this page

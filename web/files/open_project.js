@@ -7,11 +7,13 @@ const mostBytes = 2 ** 26;
 
 /** @param {App} app */
 export function installOpeningProjects({ openers, keeping, store, stage, notify, announce }) {
-  openers.push(async ([file]) => {
+  openers.push(async ([file], signal) => {
     if (file === undefined || !file.name.toLowerCase().endsWith('.json') || file.size > mostBytes) return false;
     if (!isProjectText(await file.slice(0, 200).text())) return false;
     try {
-      const project = readProject(await file.text());
+      const text = await file.text();
+      if (signal.aborted) return true;
+      const project = readProject(text);
       keeping.close();
       store.change(`Open ${file.name}`, project);
       stage.fit();

@@ -4,6 +4,7 @@
 /** @import { Run } from '../types' */
 /** @import { Runner } from './runner.js' */
 import { h, setText } from '../panels/dom.js';
+import { titleOf } from '../sketch/errors/words.js';
 import { haveSameMesh } from '../state/project.js';
 import { createSpeed } from './speed.js';
 import { describe, expectedTicks } from './words.js';
@@ -86,7 +87,7 @@ export function installTimeline(app) {
     const resting = project === null || haveSameMesh(project, store.project);
     const text = resting ? describe(run) : 'out of date: waiting for the drawing to rest';
     follow(run, text);
-    setText(stage, text);
+    setText(stage, resting && run.error ? `no mesh: ${titleOf(run.error.code)}` : text);  // the rest is above the stage
     stage.title = text;
     if (!resting) return;
     const heard = `${run.phase} ${run.state?.stage ?? ''} ${run.error?.message ?? ''}`;  // not every iteration

@@ -76,7 +76,7 @@ export class ErrorBar {
       return;
     }
     setText(this.#title, shown.title);
-    setText(this.#details, shown.details);
+    setText(this.#details, shown.problem?.code === 'EMPTY' ? 'Click the corners of an outline here, or open a file.' : shown.details);
     this.#bar.dataset.code = shown.problem?.code ?? '';
     const key = [shown.problem ?? this.#notice, store.project, store.gesture];
     if (key.every((value, i) => value === this.#builtFor[i])) return;

@@ -1,12 +1,11 @@
-// Opens files: by the button, dropped anywhere, or pasted. Reading happens in a worker of its own, so
-// nothing that a file contains can hold up the page.
+// Opens files: by the button, dropped anywhere, or pasted.
 /** @import { App } from '../app' */
 /** @import { Drawing, Project } from '../types' */
 /** @import { ReadDomain } from 'lpquad' */
 /** @import { Notice } from './error_bar.js' */
 import { h } from '../panels/dom.js';
-import { droppedFiles } from '../files/dropped.js';
-import { createEngine } from '../run/engine.js';
+import { listenForDrops } from '../files/dropped.js';
+import { besideThePage } from '../files/reading.js';
 import { emptyDrawing, emptyProject } from '../state/project.js';
 import { replaceProject } from '../state/replace.js';
 import { diagonalOf } from './model/drawing.js';
@@ -14,7 +13,7 @@ import { edgeLengths, median } from './model/geometry.js';
 
 /**
  * Takes files that are its own and tells whether it did.
- * @typedef {(files: File[]) => Promise<boolean> | boolean} Opener
+ * @typedef {(files: File[], signal: AbortSignal) => Promise<boolean> | boolean} Opener
  */
 
 const mostBytes = 64 * 2 ** 20, mostPoints = 200000, patience = 20000, longestName = 200;
@@ -54,15 +53,8 @@ function within(reading) {
   return /** @type {Promise<ReadDomain>} */ (Promise.race([reading, late]));
 }
 
-/** @param {string | Uint8Array} source  @param {string} name */
-async function read(source, name) {
-  const engine = await createEngine();
-  try {
-    return await within(engine.readDomain(source, name ? { name } : {}));
-  } finally {
-    engine.terminate();
-  }
-}
+/** @param {string | Uint8Array} source  @param {string} name  @param {AbortSignal} signal */
+const read = (source, name, signal) => besideThePage(signal, (engine) => within(engine.readDomain(source, name ? { name } : {})));
 
 /** @param {App} app  @param {(notice: Notice) => void} show */
 export function installOpening(app, show) {
@@ -84,31 +76,37 @@ export function installOpening(app, show) {
     show({ title: refusalOf(code), details: `${name}: ${message}${line}`, refused: true });
   }
 
-  /** @param {() => Promise<string | Uint8Array>} source  @param {string} name  @param {string} [title]  of the drawing */
-  async function openSource(source, name, title) {
+  /** @param {AbortSignal} signal  @param {() => Promise<string | Uint8Array>} source  @param {string} name  @param {string} [title]  of the drawing */
+  async function openSource(signal, source, name, title) {
     try {
       announce(`Opening ${name}`);
-      const domain = await read(await source(), name.includes('.') ? name : '');
+      const domain = await read(await source(), name.includes('.') ? name : '', signal);
+      signal.throwIfAborted();
       if (pointCount(domain) > mostPoints) throw Object.assign(
         new Error(`It has ${pointCount(domain)} points; ${mostPoints} can be edited here. The command line meshes it.`), { code: 'TOO_LARGE' });
       if (pointCount(domain) === 0) throw Object.assign(new Error('It has no outline.'), { code: 'EMPTY' });
       take(domain, name, title);
     } catch (thrown) {
-      fail(thrown, name);
+      if (!signal.aborted) fail(thrown, name);
     }
+  }
+
+  /** @param {File} file  @param {File[]} files  it, and what came with it  @param {AbortSignal} signal */
+  async function openOne(file, files, signal) {
+    try {
+      for (const opener of app.openers) if (await opener(files, signal) || signal.aborted) return;
+    } catch (thrown) {
+      if (!signal.aborted) fail(thrown, file.name);
+      return;
+    }
+    if (file.size > mostBytes) return fail({ code: 'TOO_LARGE', message: `It has ${Math.round(file.size / 2 ** 20)} MiB; the page takes 64.` }, file.name);
+    await openSource(signal, async () => new Uint8Array(await file.arrayBuffer()), file.name);
   }
 
   /** @param {File[]} files */
   async function openFiles(files) {
     const file = files.find(({ name }) => hasEnding(name)) ?? files[0];
-    if (file === undefined) return;
-    try {
-      for (const opener of app.openers) if (await opener(files)) return;
-    } catch (thrown) {
-      return fail(thrown, file.name);
-    }
-    if (file.size > mostBytes) return fail({ code: 'TOO_LARGE', message: `It has ${Math.round(file.size / 2 ** 20)} MiB; the page takes 64.` }, file.name);
-    await openSource(async () => new Uint8Array(await file.arrayBuffer()), file.name);
+    if (file !== undefined) await app.reading(file.name, (signal) => openOne(file, files, signal));
   }
 
   app.openFiles = openFiles;
@@ -129,23 +127,6 @@ export function installOpening(app, show) {
     if (event.target instanceof HTMLInputElement || event.target instanceof HTMLTextAreaElement) return;
     const files = [...event.clipboardData?.files ?? []], text = event.clipboardData?.getData('text/plain') ?? '';
     if (files.length > 0) void openFiles(files);
-    else if (text.trim() !== '') void openSource(async () => text, 'What was pasted', 'Pasted drawing');
-  });
-}
-
-/** @param {HTMLElement} mark  shows that files may be dropped  @param {(files: File[]) => Promise<void>} openFiles
- * @param {(thrown: unknown) => void} fail  where they cannot be read */
-function listenForDrops(mark, openFiles, fail) {
-  const hasFiles = (/** @type {DragEvent} */ event) => event.dataTransfer?.types.includes('Files') ?? false;
-  window.addEventListener('dragover', (event) => {
-    if (!hasFiles(event)) return;
-    event.preventDefault();
-    mark.classList.add('dropping');
-  });
-  for (const name of /** @type {const} */ (['dragleave', 'dragend', 'drop'])) window.addEventListener(name, () => mark.classList.remove('dropping'));
-  window.addEventListener('drop', (event) => {
-    if (!hasFiles(event)) return;
-    event.preventDefault();
-    void droppedFiles(event.dataTransfer).then(openFiles, fail);
+    else if (text.trim() !== '') void app.reading('what was pasted', (signal) => openSource(signal, async () => text, 'What was pasted', 'Pasted drawing'));
   });
 }

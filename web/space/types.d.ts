@@ -43,7 +43,7 @@ export interface SpaceApp {
   themes: Themes;
   viewer: Viewer;
   announce: (text: string) => void;
-  notify: (text: string) => void;
+  notify: import('../panels/notice.js').Notify;
   /** The layers that are drawn now. */
   layers: () => ReadonlySet<SpaceLayer>;
   /** The chart that is pointed at, -1 for none; both views show it. */

@@ -12,27 +12,29 @@ const mostBytes = 2 ** 29;
 /** @param {App} app */
 export function installStages(app) {
   const { actions, openers, notify } = app;
-  const take = async (/** @type {File[]} */ files) => {
+  const take = async (/** @type {File[]} */ files, /** @type {AbortSignal} */ signal) => {
     if (!isStagesFolder(files.map(({ name }) => name))) return false;
-    await open(app, files);
+    await open(app, files, signal);
     return true;
   };
   openers.unshift(take);
   const input = h('input', { type: 'file', hidden: true, 'aria-label': 'Folder of stages', webkitdirectory: true, onchange: async () => {
     const files = [...input.files ?? []];
     input.value = '';
-    if (files.length > 0 && !await take(files)) notify('This is not a folder that lpquad mesh --stages wrote: hardly any of its files are there.');
+    if (files.length > 0 && await app.reading('the folder', (signal) => take(files, signal)) === false) notify('This is not a folder that lpquad mesh --stages wrote: hardly any of its files are there.');
   } });
   document.body.append(input);
   actions.add({ id: 'file.stages', label: 'Open the stages of a native run', icon: 'open', run: () => input.click() });
 }
 
-/** @param {App} app  @param {File[]} files */
-async function open({ keeping, store, stage, recordings, notify, announce }, files) {
+/** @param {App} app  @param {File[]} files  @param {AbortSignal} signal */
+async function open({ keeping, store, stage, recordings, notify, announce }, files, signal) {
   try {
     if (files.reduce((sum, { size }) => sum + size, 0) > mostBytes) throw new BadStages('It is larger than 512 MiB.');
     const texts = new Map(await Promise.all(files.filter(({ name }) => /\.(json|obj)$/.test(name)).map(async (file) => /** @type {const} */ ([file.name, await file.text()]))));
-    const recording = readStages(texts, await files.find(({ name }) => name === 'iterates.bin')?.arrayBuffer());
+    const iterates = await files.find(({ name }) => name === 'iterates.bin')?.arrayBuffer();
+    if (signal.aborted) return;
+    const recording = readStages(texts, iterates);
     const name = files[0].webkitRelativePath.split('/')[0] || 'native run';
     const project = { ...emptyProject, name, drawing: recording.drawing, options: { norm: recording.norm } };
     recordings.push({ project, open: async () => /** @type {WorkerSession} */ (/** @type {unknown} */ (new RecordedSession(recording))) });

@@ -3,6 +3,8 @@
 // Everything that is as the preset has it is left out. What was drawn, painted or stroked is packed
 // in `data`. A fragment may be anybody's: it is judged before anything of it is used.
 /** @import { Project } from '../types' */
+import { comparisons } from '../compare/comparisons.js';
+import { chapters } from '../learn/chapters.js';
 import { presets } from '../sketch/presets.js';
 import * as judge from './judge.js';
 import { pack, unpack } from './pack.js';
@@ -76,8 +78,9 @@ async function read(parts) {
     if (!names.includes(name)) throw new judge.NotAProject(`it has an unknown part “${name.slice(0, 40)}”`);
   const place = readPlace(parts);
   const id = judge.identifier(parts.get('preset') ?? '', 'the preset');
-  const known = presets.some((preset) => preset.id === id);
-  if (id !== '' && !known) throw new judge.NotAProject(`there is no preset “${id}”`);
+  known('preset', id, presets);
+  known('chapter', place.chapter ?? '', chapters);
+  known('comparison', parts.get('comparison') ?? '', comparisons);
   if (id === '' && !parts.has('data')) return { project: null, place };
   const packed = parts.get('data');
   const [name, options, layers, comparison] = ['name', 'options', 'layers', 'comparison'].map((part) => parts.get(part));
@@ -93,11 +96,17 @@ async function read(parts) {
   return { project: shared(project, base(id)), place };
 }
 
+/** @param {string} what  @param {string} id  @param {{id: string}[]} all */
+function known(what, id, all) {
+  if (id !== '' && !all.some((one) => one.id === id)) throw new judge.NotAProject(`there is no ${what} “${id.slice(0, 40)}”`);
+}
+
 /** @param {Map<string, string>} parts  @returns {Place} */
 function readPlace(parts) {
   const chapter = judge.identifier(parts.get('chapter') ?? '', 'the chapter');
-  const tick = Number(parts.get('tick') ?? NaN);
-  return { ...(chapter && { chapter }), ...(Number.isSafeInteger(tick) && tick >= 0 && { tick }) };
+  const tick = parts.get('tick') ?? '';
+  if (!/^\d{0,9}$/.test(tick)) throw new judge.NotAProject(`“${tick.slice(0, 40)}” is no tick of a run`);
+  return { ...(chapter && { chapter }), ...(tick && { tick: Number(tick) }) };
 }
 
 /** Parts equal to the preset's become the preset's own, so that comparisons stay cheap. @param {Project} project  @param {Project} from */

@@ -2,6 +2,7 @@
 // storage keeps either for the next visit; the triangles of a file go to its database.
 /** @import { SpaceApp, Work } from '../types' */
 /** @import { Surface } from 'lpquad' */
+import { answer, openStore } from '../../state/database.js';
 import { whenRested } from '../../state/rest.js';
 import { keep, kept } from '../../state/storage.js';
 import { fromFragment, problemOf, toFragment } from './link.js';
@@ -31,29 +32,17 @@ async function lastWork() {
   }
 }
 
-/** @returns {Promise<IDBObjectStore>} */
-function openStore() {
-  return new Promise((resolve, reject) => {
-    const opening = indexedDB.open('lpquad-space', 1);  // not that of files handed over: two pages may have it open
-    opening.onupgradeneeded = () => opening.result.createObjectStore('surfaces');
-    opening.onsuccess = () => resolve(opening.result.transaction('surfaces', 'readwrite').objectStore('surfaces'));
-    opening.onerror = () => reject(opening.error);
-  });
-}
+const database = () => openStore('lpquad-space', 'surfaces');
 
 /** @param {string} id  @returns {Promise<Surface | null>} */
 async function keptSurface(id) {
-  const store = await openStore();
-  return new Promise((resolve, reject) => {
-    const request = store.get('last');
-    request.onsuccess = () => resolve(request.result?.id === id ? request.result.surface : null);
-    request.onerror = () => reject(request.error);
-  });
+  const last = await answer((await database()).get('last'));
+  return last?.id === id ? last.surface : null;
 }
 
 /** Resolves when it is safe. @param {string} id  @param {Surface} surface  @returns {Promise<void>} */
 async function keepSurface(id, surface) {
-  const store = await openStore();
+  const store = await database();
   return new Promise((resolve, reject) => {
     store.put({ id, surface }, 'last');
     store.transaction.oncomplete = () => resolve();

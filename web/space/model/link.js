@@ -21,17 +21,21 @@ export function fromFragment(fragment) {
   words.delete('preset');
   words.delete('layers');
   const options = Object.fromEntries([...words].map(([name, text]) => [name, valueOf(text)]));
-  const known = new Set(layerNames.map(({ name }) => /** @type {string} */ (name)));
   return { ...work, options: { ...work.options, ...options },
-    layers: shown === null ? 'auto' : inOrder(/** @type {SpaceLayer[]} */ (shown.filter((name) => known.has(name)))) };
+    layers: shown === null ? 'auto' : inOrder(/** @type {SpaceLayer[]} */ (shown.filter(isLayer))) };
 }
 
 /** Why an address opens something else than it says; '': it does not. @param {string} fragment */
 export function problemOf(fragment) {
-  const id = new URLSearchParams(fragment.slice(1)).get('preset');
-  if (id === null || presets.some((preset) => preset.id === id)) return '';
-  return `This link could not be opened: the page has no surface “${id.slice(0, 40)}”. It has ${presets.map(({ title }) => title.toLowerCase()).join(', ')}.`;
+  const words = new URLSearchParams(fragment.slice(1)), id = words.get('preset');
+  const has = (/** @type {{title: string}[]} */ all) => `It has ${all.map(({ title }) => title.toLowerCase()).join(', ')}.`;
+  const no = (/** @type {string} */ what) => `This link could not be opened: the page has no ${what.slice(0, 50)}”. `;
+  if (id !== null && !presets.some((preset) => preset.id === id)) return no(`surface “${id}`) + has(presets);
+  const layer = words.get('layers')?.split('.').find((shown) => shown !== '' && !isLayer(shown));
+  return layer === undefined ? '' : no(`layer “${layer}`) + has(layerNames);
 }
+
+const isLayer = (/** @type {string} */ layer) => layerNames.some(({ name }) => name === layer);
 
 /** @param {string} id  @returns {Work} */
 export function presetWork(id) {

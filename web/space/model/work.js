@@ -1,6 +1,7 @@
 // What a person works on, and what it looks like without being asked.
 /** @import { SpaceLayer, SurfaceRun, Work } from '../types' */
 /** @import { Surface } from 'lpquad' */
+import { once } from '../../draw/once.js';
 
 /** @type {{name: SpaceLayer, key: string, title: string, what: string}[]} */
 export const layerNames = [
@@ -38,16 +39,18 @@ export function layersFor({ frame }) {
 /** Files that lpquad/cad reads. @param {string} name */
 export const isCadName = (name) => /\.(step|stp|iges|igs|brep|brp)$/i.test(name);
 
-/** @param {Surface} surface */
-export function areaOf({ points: p, triangles }) {
+/** Asked at every tick, of hundreds of thousands of triangles perhaps. @param {Surface} surface */
+export const areaOf = (surface) => once(surface, 'area', () => {
+  const { points: p, triangles } = surface;
   let twice = 0;
   for (let t = 0; t < triangles.length; t += 3) {
-    const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
-    const u = [0, 1, 2].map((k) => p[b + k] - p[a + k]), v = [0, 1, 2].map((k) => p[c + k] - p[a + k]);
-    twice += Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+    const a = 3 * triangles[t], b = 3 * triangles[t + 1], c = 3 * triangles[t + 2];
+    const u = p[b] - p[a], v = p[b + 1] - p[a + 1], w = p[b + 2] - p[a + 2];
+    const x = p[c] - p[a], y = p[c + 1] - p[a + 1], z = p[c + 2] - p[a + 2];
+    twice += Math.hypot(v * z - w * y, w * x - u * z, u * y - v * x);
   }
   return twice / 2;
-}
+});
 
 /** @param {Float64Array} points  three numbers each */
 export function boxOf(points) {

@@ -1,5 +1,6 @@
 // The Surface tab: where a surface comes from, and what was found in it.
 /** @import { SpaceApp, SurfaceRun } from '../types' */
+import { once } from '../../draw/once.js';
 import { h } from '../../panels/dom.js';
 import { licences, source } from '../cad/files.js';
 import { presetWork } from '../model/link.js';
@@ -42,6 +43,7 @@ const aboutCad = () => h('details', { className: 'quiet' }, h('summary', null, '
   ...Object.entries(licences).flatMap(([name, url], k) => [k ? ', ' : '', h('a', { href: url }, name)]), '.'));
 
 const count = (/** @type {number} */ value) => value.toLocaleString('en');
+const different = (/** @type {ArrayLike<number> & Iterable<number>} */ values) => once(values, 'different', () => count(new Set(values).size));
 
 /** @param {SpaceApp} app  @param {SurfaceRun} run  @returns {[string, string][]} */
 function factsOf({ store }, { frame }) {
@@ -50,12 +52,13 @@ function factsOf({ store }, { frame }) {
   const facts = [['Triangles', count(surface.triangles.length / 3)], ['Points', count(surface.points.length / 3)]];
   if (surface.bodyNames?.length) facts.push(['Bodies', count(surface.bodyNames.length)]);
   if (surface.groupNames?.length) facts.push(['Groups', count(surface.groupNames.length)]);
-  if (frame.features) {
-    facts.push(['Faces between sharp edges', count(new Set(frame.features.faces).size)]);
-    facts.push(['Sharp and border edges', count(frame.features.edges.length / 2)]);
-    facts.push(['Corners', count(frame.features.corners.length)]);
+  const { features, charts } = frame;
+  if (features) {
+    facts.push(['Faces between sharp edges', different(features.faces)]);
+    facts.push(['Sharp and border edges', count(features.edges.length / 2)]);
+    facts.push(['Corners', count(features.corners.length)]);
   }
-  if (frame.charts) facts.push(['Charts', count(new Set(frame.charts.charts).size)]);
+  if (charts) facts.push(['Charts', different(charts.charts)]);
   return facts;
 }
 

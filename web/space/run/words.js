@@ -28,7 +28,7 @@ export const titleOf = (code) => titles[code] ?? titleInThePlane(code);
 export function stageInWords({ phase, state, error, paused, result }) {
   if (phase === 'failed') return `failed: ${shortTitle(error?.code ?? '')}`;
   if (phase === 'cancelled') return 'cancelled';
-  if (phase === 'idle' || state === null) return phase === 'idle' ? 'nothing to mesh yet' : 'loading the mesher';
+  if (phase === 'idle' || state === null) return phase === 'idle' ? 'nothing to mesh yet' : 'preparing the surface';
   if (phase === 'done') return result === null ? 'done' : `done: ${counted(result.report.quads, 'quad')}`;
   const charts = state.stage === 'mesh' ? `: ${state.chart} of ${state.chartCount}` : '';
   return `${names[state.stage]}${charts}${paused ? ' (paused)' : ''}`;
