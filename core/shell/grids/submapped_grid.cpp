@@ -6,6 +6,7 @@
 #include "cleanup/untangle.h"
 #include "geometry/polygon.h"
 #include "numerics/elementary.h"
+#include "shell/grids/border_slide.h"
 #include "shell/grids/hole_places.h"
 #include "shell/grids/loop_turns.h"
 #include "shell/grids/springs.h"
@@ -95,19 +96,17 @@ QuadMesh in_the_plane(const BoundaryMesh& boundary, LatticeQuads quads) {
 }
 
 // The share of quads that may be tangled before positions are looked for that undo it, and after
-// that, at the border: its nodes will slide along their curves.
+// that: nodes of the border will slide along their curves.
 constexpr double most_tangled = 0.2, most_left = 0.02;
 
-bool make_convex(QuadMesh& grid) {
+bool make_convex(QuadMesh& grid, const std::vector<LatticeLoop>& loops) {
   const auto faces = static_cast<double>(grid.faces.size());
   const auto tangled = static_cast<double>(invalid_faces(grid).size());
   if (tangled == 0) return true;
   if (tangled > most_tangled * faces) return false;
   untangle(grid);
-  const std::vector<Index> left = invalid_faces(grid);
-  return static_cast<double>(left.size()) <= most_left * faces &&
-         std::all_of(left.begin(), left.end(),
-                     [&](Index f) { return touches_border(grid, grid.faces[f]); });
+  const auto left = static_cast<double>(invalid_faces(grid).size());
+  return left == 0 || (left <= most_left * faces && is_convex_after_sliding(grid, loops));
 }
 
 }  // namespace
@@ -129,7 +128,7 @@ std::optional<QuadMesh> submapped_grid(const BoundaryMesh& boundary, const TriMe
   if (!quads || !is_near(static_cast<double>(quads->faces.size()), wanted, border))
     return std::nullopt;
   QuadMesh grid = in_the_plane(boundary, std::move(*quads));
-  if (!make_convex(grid)) return std::nullopt;
+  if (!make_convex(grid, loops)) return std::nullopt;
   return grid;
 }
 
