@@ -50,6 +50,7 @@ async function install() {
   const [{ filename, files }] = JSON.parse(await run('npm', ['pack', '--json', '--pack-destination', work], root));
   const odd = files.map((file) => file.path).filter((path) => !/^(dist\/[\w.-]+|LICENSE|README\.md|package\.json)$/.test(path));
   check('the tarball holds the package only', odd.join(' '));
+  check('the licences of what it is made of go with it', files.some((file) => file.path === 'dist/third-party.txt') ? '' : 'no');
   const tarball = join(work, filename);
   for (const name of readdirSync(join(here, 'consumers'))) {
     cpSync(join(here, 'consumers', name), project(name), { recursive: true });

@@ -41,6 +41,7 @@ test('the page for the plane never loads what draws in space', () => {
 
 test('the licence of what is in the scripts goes with them', () => {
   assert.match(readFileSync(join(assets, 'three.LICENSE.txt'), 'utf8'), /MIT License[^]*three\.js authors/);
+  assert.match(readFileSync(join(assets, 'third-party.txt'), 'utf8'), /Eigen[^]*Niels Lohmann[^]*musl/);
 });
 
 test('what the first paint waits for is small: the page, its style, and no script', (t) => {
