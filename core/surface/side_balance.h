@@ -26,8 +26,8 @@ struct CountSums {
 /// two directions, as a mesh without irregular vertices has them [WWBB96: submapping]; the two
 /// borders of a ring share one, whatever holes are between them. A bend that is small beside the
 /// mesh turns like a corner: on either side of it the curve gets whole edges, a constant in sums.
-/// Borders without such sums only ask for an even number each, for an odd one closes on no grid. `steps`: int ds/h of
-/// each curve, #C. Cost O(#T) and the border edges within a few sizes of each.
+/// Borders without such sums only ask for an even number each, for an odd one closes on no grid.
+/// `steps`: int ds/h of each curve, #C. Cost O(#T) and the border edges within a few sizes of each.
 CountSums side_balances(const SurfaceMesh& mesh, const SurfaceFeatures& features,
                         const SurfaceCurves& curves, std::span<const double> steps);
 
