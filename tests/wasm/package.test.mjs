@@ -25,7 +25,7 @@ test('the package holds what its package.json names, and nothing else', () => {
     assert.equal(Object.keys(target)[0], 'types');
     assert.equal(Object.keys(target).at(-1), 'default');
   }
-  const known = /\.(js|d\.ts|wasm|cjs)$/;
+  const known = /\.(js|d\.ts|wasm|cjs)$|^third-party\.txt$/;
   for (const file of readdirSync(dist(''))) assert.match(file, known);
 });
 
