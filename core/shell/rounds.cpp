@@ -5,10 +5,10 @@
 #include "shell/check.h"
 #include "shell/place.h"
 #include "shell/topology.h"
-#include "surface/components.h"
 #include "surface/corners.h"
 #include "surface/normals.h"
 #include "surface/size_field.h"
+#include "surface/tips.h"
 
 namespace lpq {
 namespace {
@@ -30,9 +30,7 @@ SurfaceFeatures features_and_cuts(const Cut& cut) {
     if (cut.atlas.cut[e] && kind == FeatureKind::smooth) kind = FeatureKind::marked;
   }
   // Features may divide a chart: what lies between lines needs an even border each.
-  Components parts = components_of(cut.surface.twins, lines.half_edges());
-  lines.face = std::move(parts.of_triangle);
-  lines.face_count = parts.count;
+  number_faces(cut.surface, lines);
   return lines;
 }
 
@@ -134,6 +132,7 @@ std::vector<Fault> ChartRounds::faults_at(const std::vector<Violation>& violatio
 
 /// Another round with smaller sizes, unless there have been enough.
 std::optional<Error> ChartRounds::try_again(const std::vector<Fault>& faults) {
+  if (round_ == 1) divide_tips();
   if (round_ > 1) keep_vertices(faults);
   if (round_ == most_rounds || has_grown() ||
       !make_smaller(cut_.surface, faults, round_ > local_rounds, growth_of(options_), size_))
@@ -141,6 +140,13 @@ std::optional<Error> ChartRounds::try_again(const std::vector<Fault>& faults) {
   ++round_;
   done_ = false;
   return std::nullopt;
+}
+
+/// They have no mesh at any size. Tips of cuts alone are freed with them.
+void ChartRounds::divide_tips() {
+  mark_tips(cut_.surface, cut_.features);
+  lines_ = features_and_cuts(cut_);
+  mark_tips(cut_.surface, lines_);
 }
 
 bool ChartRounds::has_grown() const {

@@ -18,7 +18,7 @@ namespace lpq {
 /// A surface with its features, cut into charts.
 struct Cut {
   const SurfaceMesh& surface;
-  const SurfaceFeatures& features;
+  SurfaceFeatures& features;  // more of them where it has no mesh else
   const SurfaceCrossField& cross;
   const Atlas& atlas;
 };
@@ -56,6 +56,7 @@ class ChartRounds {
   std::vector<Fault> faults_of(std::vector<ChartFailure>& failures) const;
   std::vector<Fault> faults_at(const std::vector<Violation>& violations) const;
   std::optional<Error> try_again(const std::vector<Fault>& faults);
+  void divide_tips();
   void keep_vertices(const std::vector<Fault>& faults);
   bool has_grown() const;
   bool take_kept();

@@ -5,6 +5,7 @@
 
 #include "numerics/elementary.h"
 #include "surface/border_turns.h"
+#include "surface/fans.h"
 
 namespace lpq {
 namespace {
@@ -64,15 +65,9 @@ class BorderWalker {
   /// Goes round the target of e, adding up the angles of the face there.
   Index next_on_border(Index e, double& angle) const {
     for (e = next_in_triangle(e);; e = next_in_triangle(mesh_.twins[e])) {
-      angle += corner_angle(e);
+      angle += corner_angle(mesh_, e);
       if (features_.half_edge_is_feature(e)) return e;
     }
-  }
-
-  double corner_angle(Index e) const {
-    const Vec3 p = mesh_.points[mesh_.origin(e)];
-    const Vec3 a = mesh_.points[mesh_.target(e)] - p, b = mesh_.points[mesh_.apex(e)] - p;
-    return arc_tangent(length(cross(a, b)), dot(a, b));
   }
 
   const SurfaceMesh& mesh_;

@@ -1,5 +1,7 @@
 #include "surface/fans.h"
 
+#include "numerics/elementary.h"
+
 namespace lpq {
 
 SurfaceFans fans_of(std::span<const Index> twins, std::span<const char> barrier) {
@@ -27,6 +29,12 @@ SurfaceFans fans_of(std::span<const Index> twins, std::span<const char> barrier)
     fans.corners.end_row();
   }
   return fans;
+}
+
+double corner_angle(const SurfaceMesh& mesh, Index e) {
+  const Vec3 p = mesh.points[mesh.origin(e)];
+  const Vec3 a = mesh.points[mesh.target(e)] - p, b = mesh.points[mesh.apex(e)] - p;
+  return arc_tangent(length(cross(a, b)), dot(a, b));
 }
 
 }  // namespace lpq

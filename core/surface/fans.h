@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/csr.h"
+#include "mesh/surface_mesh.h"
 
 namespace lpq {
 
@@ -19,5 +20,8 @@ struct SurfaceFans {
 /// Fans that cross no barrier: a half-edge without a twin, or one marked in `barrier` (both sides
 /// marked; empty for none). Numbered by their first corner. An open fan begins at its barrier.
 SurfaceFans fans_of(std::span<const Index> twins, std::span<const char> barrier = {});
+
+/// Radians between half-edge e and the one before it in its triangle, which end where e begins.
+double corner_angle(const SurfaceMesh& mesh, Index e);
 
 }  // namespace lpq

@@ -47,12 +47,6 @@ void unmark_smooth_edges(const FeatureMarks& marks, SurfaceFeatures& features) {
   }
 }
 
-void number_faces(const SurfaceMesh& mesh, SurfaceFeatures& features) {
-  Components faces = components_of(mesh.twins, features.half_edges());
-  features.face = std::move(faces.of_triangle);
-  features.face_count = faces.count;
-}
-
 }  // namespace
 
 std::vector<char> SurfaceFeatures::half_edges() const {
@@ -65,6 +59,12 @@ Csr<Index> SurfaceFeatures::edges_at_vertices(Index vertex_count) const {
   std::vector<char> flags(kind.size());
   for (Index i = 0; i < edges.count(); ++i) flags[i] = is_feature(i);
   return lpq::edges_at_vertices(edges, vertex_count, flags);
+}
+
+void number_faces(const SurfaceMesh& mesh, SurfaceFeatures& features) {
+  Components faces = components_of(mesh.twins, features.half_edges());
+  features.face = std::move(faces.of_triangle);
+  features.face_count = faces.count;
 }
 
 SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> given_size,

@@ -64,4 +64,7 @@ struct SurfaceFeatures {
 SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> size,
                               const FeatureOptions& options = {}, const FeatureMarks& marks = {});
 
+/// The faces between the features, numbered by first triangle. Cost O(#T).
+void number_faces(const SurfaceMesh& mesh, SurfaceFeatures& features);
+
 }  // namespace lpq

@@ -12,6 +12,21 @@
 using namespace lpq;
 using namespace lpq_test;
 
+namespace {
+
+/// The sides of a pyramid whose tip is its last vertex.
+SurfaceSoup spire(Index sides) {
+  SurfaceSoup soup;
+  for (int i = 0; i < sides; ++i)
+    soup.points.push_back(
+        {0.25 * std::cos(2 * pi * i / sides), 0.25 * std::sin(2 * pi * i / sides), 0});
+  soup.points.push_back({0, 0, 1});
+  for (Index i = 0; i < sides; ++i) soup.triangles.push_back({i, (i + 1) % sides, sides});
+  return soup;
+}
+
+}  // namespace
+
 TEST_CASE("parts of a surface that meet in a point keep that point") {
   SurfaceSoup soup = soup_of(sphere(8));
   const SurfaceSoup ball = soup;
@@ -41,16 +56,25 @@ TEST_CASE("a rib that ends inside a plate is an edge of both") {
     CHECK(outcome.report.quality.eta_mean > 0.95);
     CHECK(shell_topology(outcome.mesh.faces).meeting_edges >= 15);
   }
-  SurfaceSoup spire;
-  constexpr Index sides = 12;
-  for (int i = 0; i < sides; ++i)
-    spire.points.push_back(
-        {0.25 * std::cos(2 * pi * i / sides), 0.25 * std::sin(2 * pi * i / sides), 0});
-  spire.points.insert(spire.points.end(), {{0, 0, 1}, {0.5, 0, 1}});
-  for (Index i = 0; i < sides; ++i) spire.triangles.push_back({i, (i + 1) % sides, sides});
-  spire.triangles.push_back({0, sides, sides + 1});
-  const ShellOutcome outcome = meshed(spire, {.size = 0.06});
+  SurfaceSoup fin = spire(12);
+  fin.points.push_back({0.5, 0, 1});
+  fin.triangles.push_back({0, 12, 13});
+  const ShellOutcome outcome = meshed(fin, {.size = 0.06});
   CHECK(outcome.report.quality.eta_min > 0.1);
+}
+
+TEST_CASE("a spire one side of which goes on past its edge has a mesh up to its tip") {
+  for (const Index sides : {3, 4, 5}) {
+    SurfaceSoup soup = spire(sides);
+    soup.points.push_back(2 * soup.points[0] - soup.points[1]);
+    soup.triangles.push_back({0, sides, sides + 1});
+    for (const double size : {0.05, 0.2}) {
+      // Creases are no features, so that one chart goes round the tip, on one line on both sides.
+      const auto outcome = mesh_surface(soup, {.size = size, .feature_angle = 180});
+      REQUIRE(outcome.has_value());
+      CHECK(check_shell(outcome->surface, outcome->mesh).empty());
+    }
+  }
 }
 
 TEST_CASE("sheets that meet along one edge inside them keep it as an edge of both") {

@@ -47,7 +47,7 @@ Qualities meshed(Method method, Warp warp) {
   constexpr double h = 0.06;
   const SurfaceMesh cap = sphere_cap(16, 1.2);
   const std::vector<double> size(cap.points.size(), h);
-  const SurfaceFeatures features = find_features(cap, size);
+  SurfaceFeatures features = find_features(cap, size);
   const std::vector<char> feature = features.half_edges();
   const SurfaceCrossField crosses = solve_surface_cross(cap, feature);
   Atlas atlas = make_charts(cap, feature);
