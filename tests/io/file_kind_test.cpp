@@ -242,10 +242,6 @@ TEST_CASE("files without faces are told what they have") {
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
       "property float z\n";
   CHECK(contains(surface_error("x.ply", ply + "end_header\n0 0 0\n").message, "only points"));
-  CHECK(contains(surface_error("x.ply", ply + "element tristrips 0\nproperty list int int "
-                                              "vertex_indices\nend_header\n0 0 0\n")
-                     .message,
-                 "strips of triangles"));
   CHECK(contains(domain_error("x.svg", "<svg><text>a</text></svg>").message, "text"));
 }
 

@@ -269,6 +269,25 @@ TEST_CASE("PLY: text and bytes of both orders") {
   CHECK(good(read_ply_surface(crlf)).triangles == box.triangles);
 }
 
+TEST_CASE("PLY: strips of triangles") {
+  const auto read = [](const std::string& strip) {
+    return read_ply_surface(
+        "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+        "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
+        "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n" +
+        strip);
+  };
+  const std::vector<Tri> rising{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}};
+  CHECK(good(read("5 0 1 2 3 4\n")).triangles == rising);
+  // A new strip starts the one way round; a turn by a vertex said twice keeps to it.
+  CHECK(good(read("8 0 1 2 3 -1 2 3 4\n")).triangles == rising);
+  CHECK(good(read("6 0 1 1 3 2 0\n")).triangles == std::vector<Tri>{{1, 3, 2}, {2, 3, 0}});
+  CHECK(bad(read("3 0 1 5\n")).message.find("vertex 5") != std::string::npos);
+  CHECK(bad(read("3 0 1 -2\n")).where.line == 15);
+  CHECK(bad(read("3 0 1\n")).code == ErrorCode::parse_error);
+  CHECK(bad(read("2 0 1\n")).code == ErrorCode::empty);
+}
+
 TEST_CASE("PLY: a size at every vertex") {
   const std::string head = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n";
   const std::string tail =

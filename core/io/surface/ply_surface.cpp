@@ -1,83 +1,17 @@
 // See ply_surface.h.
 #include "io/surface/ply_surface.h"
 
+#include <array>
 #include <cmath>
+#include <utility>
 
-#include "io/byte_order.h"
-#include "io/surface/ply_header.h"
+#include "io/surface/ply_numbers.h"
 #include "io/surface/soup_builder.h"
 #include "io/surface/surface_text.h"
 #include "io/text_place.h"
 
 namespace lpq {
 namespace {
-
-/// Numbers one after the other, whatever they are written as. After the end, or on a word that is
-/// no number, `failed` is set and zeros follow.
-class PlyNumbers {
- public:
-  PlyNumbers(std::string_view bytes, const PlyHeader& header)
-      : bytes_(bytes), format_(header.format), start_(header.size), next_(header.size) {}
-
-  bool failed() const { return failed_; }
-  bool at_end() const { return next_ >= bytes_.size(); }
-  std::size_t byte() const { return start_; }
-
-  /// Texts have an element on a line; some write more there than their header says.
-  void end_element() {
-    if (format_ == PlyFormat::text)
-      next_ = std::min(bytes_.find_first_of("\r\n", next_), bytes_.size());
-  }
-
-  double next(PlyType type) {
-    if (failed_) return 0;
-    return format_ == PlyFormat::text ? next_word() : next_bytes(type);
-  }
-
- private:
-  static constexpr std::string_view blanks = " \t\v\f\r\n";
-
-  double next_word() {
-    start_ = std::min(bytes_.find_first_not_of(blanks, next_), bytes_.size());
-    next_ = std::min(bytes_.find_first_of(blanks, start_), bytes_.size());
-    const std::string_view word = bytes_.substr(start_, next_ - start_);
-    double value = 0;
-    if (parse_number(word, value)) return value;
-    if (is_not_finite_word(word)) return std::nan("");
-    failed_ = true;
-    return 0;
-  }
-
-  double next_bytes(PlyType type) {
-    start_ = next_;
-    const std::size_t size = bytes_of(type);
-    if (bytes_.size() - next_ < size) {
-      failed_ = true;
-      return 0;
-    }
-    next_ += size;
-    const ByteOrder order = format_ == PlyFormat::big_endian ? ByteOrder::big : ByteOrder::little;
-    switch (type) {
-      case PlyType::int8:
-        return static_cast<std::int8_t>(unsigned_at<std::uint8_t>(bytes_, start_, order));
-      case PlyType::uint8: return unsigned_at<std::uint8_t>(bytes_, start_, order);
-      case PlyType::int16:
-        return static_cast<std::int16_t>(unsigned_at<std::uint16_t>(bytes_, start_, order));
-      case PlyType::uint16: return unsigned_at<std::uint16_t>(bytes_, start_, order);
-      case PlyType::int32:
-        return static_cast<std::int32_t>(unsigned_at<std::uint32_t>(bytes_, start_, order));
-      case PlyType::uint32: return unsigned_at<std::uint32_t>(bytes_, start_, order);
-      case PlyType::float32: return float32_at(bytes_, start_, order);
-      case PlyType::float64: return float64_at(bytes_, start_, order);
-    }
-    return 0;
-  }
-
-  std::string_view bytes_;
-  PlyFormat format_;
-  std::size_t start_, next_;
-  bool failed_ = false;
-};
 
 class PlyReader {
  public:
@@ -95,6 +29,8 @@ class PlyReader {
         read_vertices(element);
       } else if (element.name == "face") {
         read_faces(element);
+      } else if (element.name == "tristrips") {
+        read_strips(element);
       } else {
         for (std::int64_t i = 0; i < element.count && !failed_; ++i) pass_over(element);
       }
@@ -113,12 +49,7 @@ class PlyReader {
  private:
   Error no_face() const {
     std::string text = "The file has no face";
-    const auto is_strip = [](const PlyElement& element) { return element.name == "tristrips"; };
-    if (std::any_of(header_.elements.begin(), header_.elements.end(), is_strip)) {
-      text += ", only strips of triangles. Export it as triangles";
-    } else if (builder_.point_count() > 0) {
-      text += ", only points";
-    }
+    if (builder_.point_count() > 0) text += ", only points";
     return {ErrorCode::empty, text + ".", {}};
   }
 
@@ -183,11 +114,17 @@ class PlyReader {
     }
   }
 
-  void read_faces(const PlyElement& element) {
+  Index list_of_corners(const PlyElement& element) {
     Index corners = element.find("vertex_indices");
     if (corners == none) corners = element.find("vertex_index");
     if (element.count > 0 && (corners == none || !element.properties[corners].is_list))
-      return fail("Faces need a list of vertex_indices.");
+      fail("Faces need a list of vertex_indices.");
+    return corners;
+  }
+
+  void read_faces(const PlyElement& element) {
+    const Index corners = list_of_corners(element);
+    if (failed_) return;
     Index group = none;
     for (const char* name : {"material_index", "group", "region"})
       if (const Index found = element.find(name); found != none) group = found;
@@ -220,16 +157,52 @@ class PlyReader {
 
   void read_corners(const PlyProperty& property) {
     const std::int64_t length = next_length(property);
+    for (std::int64_t k = 0; k < length && !failed_; ++k)
+      corners_.push_back(corner_of(next(property.type)));
+  }
+
+  Index corner_of(double index) {
+    if (failed_) return none;
+    if (index >= 0 && index < builder_.point_count() && index == std::floor(index))
+      return static_cast<Index>(index);
+    fail(index == std::floor(index) && std::abs(index) < 1e15
+             ? unknown_vertex(static_cast<std::int64_t>(index), builder_.point_count(), 0).message
+             : "A face corner must be a vertex number.");
+    return none;
+  }
+
+  void read_strips(const PlyElement& element) {
+    const Index corners = list_of_corners(element);
+    if (failed_) return;
+    for (std::int64_t i = 0; i < element.count && !failed_; ++i) {
+      for (Index k = 0; k < static_cast<Index>(element.properties.size()) && !failed_; ++k) {
+        const PlyProperty& property = element.properties[k];
+        k == corners ? read_strip(property) : pass_over(property);
+      }
+      numbers_.end_element();
+    }
+  }
+
+  /// Every vertex makes a triangle with the two before it, in turn one way round and the other;
+  /// -1 begins anew. Strips turn corners by triangles with a vertex twice.
+  void read_strip(const PlyProperty& property) {
+    const std::int64_t length = next_length(property);
+    corners_.clear();
+    bool turned = false;
     for (std::int64_t k = 0; k < length && !failed_; ++k) {
       const double index = next(property.type);
-      if (failed_) return;
-      if (!(index >= 0 && index < builder_.point_count() && index == std::floor(index)))
-        return fail(
-            index == std::floor(index) && std::abs(index) < 1e15
-                ? unknown_vertex(static_cast<std::int64_t>(index), builder_.point_count(), 0)
-                      .message
-                : "A face corner must be a vertex number.");
-      corners_.push_back(static_cast<Index>(index));
+      if (index == -1) {
+        corners_.clear();
+        turned = false;
+        continue;
+      }
+      corners_.push_back(corner_of(index));
+      if (failed_ || corners_.size() < 3) continue;
+      auto [a, b, c] = std::array{corners_[0], corners_[1], corners_[2]};
+      corners_.erase(corners_.begin());
+      if (turned) std::swap(a, b);
+      turned = !turned;
+      if (a != b && b != c && c != a) builder_.add_polygon(std::array{a, b, c});
     }
   }
 
