@@ -113,12 +113,31 @@ BackgroundBuilder::BackgroundBuilder(const BoundaryMesh& boundary,
     tree_.refine_at(midpoint(a, b), leaf_slack * distance(a, b));
   }
   refine(sources);
-  if (coarsest > 0)
-    tree_.descend([&](Index cell, const Quadtree::Box& box) {
-      if (tree_.is_leaf(cell) && box.side > coarsest) tree_.split(cell);
+  if (coarsest > 0) refine_inside(coarsest);
+  tree_.balance();
+}
+
+/// Nothing outside: there may be far more of it than of the domain.
+void BackgroundBuilder::refine_inside(double coarsest) {
+  Quadtree walls = root_for(boundary_);
+  for (const Segment& s : boundary_.edges)
+    walls.descend([&](Index cell, const Quadtree::Box& box) {
+      if (!meets_segment(box, boundary_.points[s.a], boundary_.points[s.b])) return false;
+      if (walls.is_leaf(cell) && box.side > coarsest) walls.split(cell);
       return true;
     });
-  tree_.balance();
+  std::vector<Vec2> centres;
+  for (Index cell = 0; cell < walls.cell_count(); ++cell)
+    centres.push_back(walls.box(cell).centre());
+  const std::vector<Index> region = regions_of(boundary_, centres);
+  tree_.descend([&](Index cell, const Quadtree::Box& box) {
+    if (box.side <= coarsest) return false;
+    const Index leaf = walls.leaf_at(box.centre());
+    const bool crossed = walls.box(leaf).side < box.side;
+    if (!crossed && region[leaf] == none) return false;
+    if (tree_.is_leaf(cell)) tree_.split(cell);
+    return true;
+  });
 }
 
 void BackgroundBuilder::refine(const std::vector<Source>& sources) {

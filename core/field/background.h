@@ -21,6 +21,7 @@ struct Source {
 
 class BackgroundBuilder {
  public:
+  /// `coarsest`: no leaf that meets the domain is larger; 0 for no such bound.
   BackgroundBuilder(const BoundaryMesh& boundary, const std::vector<Source>& sources,
                     double coarsest);
 
@@ -39,6 +40,7 @@ class BackgroundBuilder {
                        double most_leaves, std::vector<double>& interior_values);
 
  private:
+  void refine_inside(double coarsest);
   std::vector<char> blocked_leaves() const;
 
   const BoundaryMesh& boundary_;

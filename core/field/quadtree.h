@@ -27,6 +27,8 @@ class Quadtree {
   bool is_leaf(Index cell) const { return cells_[cell].children == none; }
   Index child(Index cell, Index quarter) const { return cells_[cell].children + quarter; }
   Box box(Index cell) const;
+  /// none outside the tree.
+  Index leaf_at(Vec2 p) const;
   /// Splits a leaf that may still be split; false at the depth limit.
   bool split(Index leaf);
   /// Splits until the leaf at p is no larger than `side`. p outside the tree is ignored.
@@ -53,7 +55,6 @@ class Quadtree {
     Index children = none;        // first of four: low-left, low-right, high-left, high-right
     std::int32_t level = 0;
   };
-  Index leaf_at(Vec2 p) const;
   Index leaf_covering(std::int64_t ix, std::int64_t iy, std::int32_t level) const;
 
   Vec2 origin_;

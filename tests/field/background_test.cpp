@@ -1,4 +1,6 @@
 // The background: covers the domain, stays small, scales without a changed bit.
+#include "field/background.h"
+
 #include <cstring>
 
 #include "base/hash.h"
@@ -57,6 +59,16 @@ TEST_CASE("needles do not fill their surroundings with cells") {
   const auto boundary = boundary_of({{{0, 0}, {1, 1e-9}, {1, 2e-9}, {0.5, 1.2e-9}, {0, 1e-9}}});
   const Fields fields = fields_of(boundary);
   CHECK(fields.background.vertex_count() < 1000);
+}
+
+TEST_CASE("a slanting strip does not fill its bounding square with cells") {
+  // 4e8 cells of side 1/2 would fit into the square.
+  const auto boundary = boundary_of({{{0, 0}, {8000, 6000}, {7999.4, 6000.8}, {-0.6, 0.8}}});
+  const auto background = BackgroundBuilder(boundary, {}, 0.5).coarse();
+  REQUIRE(background.has_value());
+  CHECK(std::abs(area_of(*background) - 10000) < 1e-6);
+  CHECK(background->vertex_count() > 10000 / (0.5 * 0.5) / 2);
+  CHECK(background->vertex_count() < 2 * 10000 / (0.25 * 0.25));
 }
 
 TEST_CASE("scaling by a power of two changes no bit") {
