@@ -10,9 +10,10 @@ namespace lpq {
 namespace {
 
 // A vertex turns the border if it turns by so much, or if the border does within so many mesh sizes
-// to both sides; radians.
+// to both sides; radians. Regular polygons meet both to the last digit: rounding must not decide.
+constexpr double rounding = 1e-9;
 constexpr double sharp_turn = 25 * pi / 180;
-constexpr double tight_turn = 60 * pi / 180, tight_reach = 1.5;
+constexpr double tight_turn = (60 - rounding) * pi / 180, tight_reach = 1.5 + rounding;
 // Turns one way at both ends of an edge, or nearer to each other than so many mesh sizes, are one
 // bend, and a bend is a number of right angles: the long way round coarse polygons is rounded once.
 constexpr double bend_gap = 1;
@@ -50,12 +51,51 @@ struct BorderPiece {
   double rest() const { return turn / (0.5 * pi) - right_angles; }
 };
 
+bool is_sharp(const BorderStep& step) { return std::abs(step.turn) >= sharp_turn; }
+
+/// Sums along three rounds of a border, to look from every step of the second to both sides.
+class TurnSums {
+ public:
+  explicit TurnSums(const std::vector<BorderStep>& steps)
+      : count_(steps.size()), behind_sharp_(3 * count_, 0), sharp_(3 * count_, 3 * count_) {
+    double along = 0, turned = 0;
+    turned_.push_back(0);
+    for (std::size_t i = 0; i < 3 * count_; ++i) {
+      const BorderStep& step = steps[i % count_];
+      along_.push_back(along += step.length);
+      turned_.push_back(turned += step.turn);
+    }
+    for (std::size_t i = 1; i < 3 * count_; ++i) {
+      const std::size_t back = 3 * count_ - i;
+      behind_sharp_[i] = is_sharp(steps[(i - 1) % count_]) ? i : behind_sharp_[i - 1];
+      sharp_[back - 1] = is_sharp(steps[back % count_]) ? back : sharp_[back];
+    }
+  }
+
+  /// The turns within `reach` of the end of step k, half a round at most, that lie before the next
+  /// sharp one to either side.
+  double around(std::size_t k, double reach) const {
+    k += count_;
+    const auto here = along_.begin() + k, round = here + count_;
+    const auto first = std::lower_bound(here - count_ + 1, here, *here - reach);
+    const auto end = std::upper_bound(here, round, *here + reach);
+    const auto from = std::max<std::size_t>(first - along_.begin(), behind_sharp_[k]);
+    const auto to = std::min<std::size_t>(end - along_.begin(), sharp_[k]);
+    return turned_[to] - turned_[from];
+  }
+
+ private:
+  std::size_t count_;
+  std::vector<double> along_, turned_;             // up to the end of each step; before each step
+  std::vector<std::size_t> behind_sharp_, sharp_;  // behind the last sharp step before; the next
+};
+
 /// How a border turns, from its steps.
 class Turns {
  public:
   explicit Turns(std::vector<BorderStep> steps) : steps_(std::move(steps)) {
     for (const BorderStep& step : steps_) round_ += step.length;
-    for (std::size_t k = 0; k < steps_.size(); ++k) way_.push_back(way_at(k));
+    find_ways();
     begin_on_straight();
     divide();
     settle();
@@ -86,11 +126,9 @@ class Turns {
   }
 
  private:
-  static bool is_sharp(const BorderStep& step) { return std::abs(step.turn) >= sharp_turn; }
-
   bool is_round() const {
     const auto is_corner = [](const BorderStep& step) { return std::abs(step.turn) >= tight_turn; };
-    const auto other_way = [this](int way) { return way == -way_.back(); };
+    const auto other_way = [this](int way) { return way == -way_.front(); };
     return straight_ <= bend_gap && std::none_of(steps_.begin(), steps_.end(), is_corner) &&
            std::none_of(way_.begin(), way_.end(), other_way);
   }
@@ -167,14 +205,12 @@ class Turns {
     if (!bends || turns == wanted || std::abs(all - 0.5 * pi * wanted) > most_unsettled) return;
     const int way = turns < wanted ? 1 : -1;
     std::vector<BorderPiece> settled = pieces_;
-    double least = least_rest;
     for (; turns != wanted; turns += way) {
       BorderPiece& piece = settled[most_rest(settled, way)];
-      least = std::min(least, way * piece.rest());
+      if (way * piece.rest() < least_rest) return;
       piece.right_angles += way;
     }
-    if (least >= least_rest && way * settled[most_rest(settled, way)].rest() <= most_left)
-      pieces_ = std::move(settled);
+    if (way * settled[most_rest(settled, way)].rest() <= most_left) pieces_ = std::move(settled);
   }
 
   static std::size_t most_rest(const std::vector<BorderPiece>& pieces, int way) {
@@ -193,35 +229,16 @@ class Turns {
       border_.sides.front().length[direction_after(k - border_.turns)] += last.length[k];
   }
 
-  /// Which way the border turns at the end of step k: 1, -1, or 0 if it does not.
-  int way_at(std::size_t k) const {
-    const auto sign = [](double turn) { return turn > 0 ? 1 : -1; };
-    if (is_sharp(steps_[k])) return sign(steps_[k].turn);
+  /// Which way the border turns at the end of each step: 1, -1, or 0 if it does not.
+  void find_ways() {
+    const TurnSums sums(steps_);
     const double reach = std::min(tight_reach, 0.5 * round_);
-    const double around = steps_[k].turn + turn_ahead(k, reach) + turn_behind(k, reach);
-    return std::abs(around) < tight_turn ? 0 : sign(around);
-  }
-
-  double turn_ahead(std::size_t k, double reach) const {
-    double turn = 0;
-    for (std::size_t most = steps_.size(); most > 0; --most) {
-      k = k + 1 < steps_.size() ? k + 1 : 0;
-      reach -= steps_[k].length;
-      if (reach < 0 || is_sharp(steps_[k])) break;
-      turn += steps_[k].turn;
+    for (std::size_t k = 0; k < steps_.size(); ++k) {
+      const bool sharp = is_sharp(steps_[k]);
+      const double turn = sharp ? steps_[k].turn : sums.around(k, reach);
+      const bool turns = sharp || std::abs(turn) >= tight_turn;
+      way_.push_back(!turns ? 0 : turn > 0 ? 1 : -1);
     }
-    return turn;
-  }
-
-  double turn_behind(std::size_t k, double reach) const {
-    double turn = 0;
-    for (std::size_t most = steps_.size(); most > 0; --most) {
-      reach -= steps_[k].length;
-      k = k > 0 ? k - 1 : steps_.size() - 1;
-      if (reach < 0 || is_sharp(steps_[k])) break;
-      turn += steps_[k].turn;
-    }
-    return turn;
   }
 
   std::vector<BorderStep> steps_;

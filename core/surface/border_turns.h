@@ -15,7 +15,7 @@ struct BorderStep {
 };
 
 /// The sides of a closed border; its face is left open. The steps begin at a corner, if there is
-/// one. Cost O(#steps), times those within a few sizes of each.
+/// one. Cost O(#steps log #steps).
 FaceBorder border_of(std::vector<BorderStep> steps);
 
 }  // namespace lpq
