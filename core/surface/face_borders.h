@@ -32,10 +32,10 @@ struct FaceBorder {
 };
 
 /// Goes round every border of every face. It turns where its angle is far from straight, or where a
-/// bend is small beside the mesh, then by all of the bend; always by right angles (rounded). In
-/// order of their first half-edge, those that start at a corner before those without one. `steps`:
-/// int ds/h of each curve, #C; a mesh size is that of the curve, on average. Cost O(#T) and the
-/// border edges within a few sizes of each.
+/// bend is small beside the mesh, then by all of the bend; always by right angles (rounded). Where
+/// these do not add up, a wide bend that is straight beside the mesh may be one, too. In order of
+/// their first half-edge, those that start at a corner before those without one. `steps`: int ds/h
+/// of each curve, #C; a mesh size is that of the curve, on average. Cost O(#T log #T).
 std::vector<FaceBorder> face_borders(const SurfaceMesh& mesh, const SurfaceFeatures& features,
                                      const SurfaceCurves& curves, std::span<const double> steps);
 

@@ -10,6 +10,9 @@
 namespace lpq {
 namespace {
 
+// A round hole bounds a ring with a border round it that is up to so many times as long.
+constexpr double wide_ring = 2;
+
 /// A length in edges.
 Index rounded(double length) { return static_cast<Index>(std::floor(length + 0.5)); }
 
@@ -25,19 +28,26 @@ double length_along(Index along, const BorderSide& side) {
   return length;
 }
 
+double length_along(Index along, const FaceBorder& border) {
+  double length = 0;
+  for (const BorderSide& side : border.sides) length += length_along(along, side);
+  return length;
+}
+
 /// The direction in which a border goes round a ring.
 Index way_round(const FaceBorder& border) {
   Index best = 0;
   double most = 0;
   for (Index along = 0; along < right_angles_round; ++along) {
-    double length = 0;
-    for (const BorderSide& side : border.sides) length += length_along(along, side);
+    const double length = length_along(along, border);
     if (!(length > most)) continue;
     most = length;
     best = along;
   }
   return best;
 }
+
+double length_round(const FaceBorder& border) { return length_along(way_round(border), border); }
 
 class SumMaker {
  public:
@@ -78,23 +88,21 @@ class SumMaker {
   }
 
   void add_face(const std::vector<const FaceBorder*>& around) {
-    std::vector<const FaceBorder*> others, round;
+    std::vector<const FaceBorder*> others;
+    bool has_outline = false;  // then all others are holes
     for (const FaceBorder* border : around) {
       if (border->turns != right_angles_round && border->turns != -right_angles_round) {
-        (border->round ? round : others).push_back(border);
+        others.push_back(border);
         continue;
       }
+      has_outline = has_outline || border->turns > 0;
       for (const Index direction : {0, 1}) {
         add_terms(*border, direction, 1);
         end_sum(false);
       }
     }
-    others.insert(others.end(), round.begin(), round.end());
-    const bool only_holes_left =
-        std::all_of(others.begin() + std::min<std::size_t>(others.size(), 2), others.end(),
-                    [](const FaceBorder* b) { return b->round; });
-    if (others.size() >= 2 && only_holes_left && others[0]->turns == 0 && others[1]->turns == 0 &&
-        others[0]->round == others[1]->round) {
+    std::stable_sort(others.begin(), others.end(), comes_first);
+    if (!has_outline && are_ring(others)) {
       add_ring(*others[0], *others[1]);
       others.erase(others.begin(), others.begin() + 2);
     }
@@ -102,6 +110,22 @@ class SumMaker {
       for (const BorderSide& side : border->sides) row_.push_back({side.curve, 1});
       end_sum(true);
     }
+  }
+
+  /// Round ones last, by their lengths.
+  static bool comes_first(const FaceBorder* a, const FaceBorder* b) {
+    if (a->round != b->round) return b->round;
+    return a->round && length_round(*a) > length_round(*b);
+  }
+
+  /// Are the first two opposite borders of a ring, and the others its holes?
+  static bool are_ring(std::span<const FaceBorder* const> borders) {
+    if (borders.size() < 2) return false;
+    const FaceBorder &a = *borders[0], &b = *borders[1];
+    if (a.turns != 0 || b.turns != 0) return false;
+    if (a.round != b.round && length_round(a) > wide_ring * length_round(b)) return false;
+    return std::all_of(borders.begin() + 2, borders.end(),
+                       [](const FaceBorder* border) { return border->round; });
   }
 
   void add_ring(const FaceBorder& a, const FaceBorder& b) {
@@ -112,7 +136,7 @@ class SumMaker {
     end_sum(false);
     add_terms(a, along_a, 1);
     add_terms(b, along_b, -1);
-    end_sum(false, a.round);
+    end_sum(false, a.round || b.round);
   }
 
   void add_terms(const FaceBorder& border, Index direction, Index sign) {

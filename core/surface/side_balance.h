@@ -24,10 +24,10 @@ struct CountSums {
 /// Going round a border of a face and turning by right angles (rounded) at its corners, what runs
 /// one way must come back: a border that turns four times in all has two sums, one for each of its
 /// two directions, as a mesh without irregular vertices has them [WWBB96: submapping]; the two
-/// borders of a ring share one, whatever holes are between them. A bend that is small beside the
-/// mesh turns like a corner: on either side of it the curve gets whole edges, a constant in sums.
-/// Borders without such sums only ask for an even number each, for an odd one closes on no grid.
-/// `steps`: int ds/h of each curve, #C. Cost O(#T) and the border edges within a few sizes of each.
+/// borders of a ring (no other is its outline) share one, whatever holes are between them. A bend
+/// that is small beside the mesh turns like a corner: on either side of it the curve gets whole
+/// edges, a constant in sums. Borders without such sums only ask for an even number each, for an
+/// odd one closes on no grid. `steps`: int ds/h of each curve, #C. Cost O(#T log #T).
 CountSums side_balances(const SurfaceMesh& mesh, const SurfaceFeatures& features,
                         const SurfaceCurves& curves, std::span<const double> steps);
 

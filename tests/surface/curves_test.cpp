@@ -220,6 +220,17 @@ TEST_CASE("a ring with slots: what the teeth and the slots have along it, the in
   }
 }
 
+TEST_CASE("a ring so small that its hole is one bend has as many edges outside as inside") {
+  for (const double wider : {1.15, 1.3, 1.5})
+    for (int round = 12; round <= 18; ++round) {  // inside, in mesh sizes
+      INFO(wider << " " << round);
+      const double r = round / (2 * pi);
+      const auto ring = curves_of(slotted_ring(3, wider * r, r, 0), 1);
+      REQUIRE(ring.curves.count() == 2);
+      CHECK(edge_count(ring, 0) == edge_count(ring, 1));
+    }
+}
+
 TEST_CASE("narrow rings have as many edges outside as inside, wide ones need not") {
   for (const double h : {0.5, 0.6, 1.6}) {
     const auto ring = curves_of(band_soup(24, 0), h);
