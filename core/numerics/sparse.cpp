@@ -3,6 +3,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <complex>
 
 #include "base/check.h"
 #include "base/csr.h"
@@ -113,8 +114,10 @@ struct SparseFactor<Scalar>::Data {
     }
     if (is_first) ldlt.analyzePattern(a);
     ldlt.factorize(a);
-    bool positive = ldlt.info() == Eigen::Success;
-    if (positive) positive = ldlt.vectorD().real().minCoeff() > 0;
+    const auto is_positive = [](const Scalar& pivot) { return std::real(pivot) > 0; };  // no NaN
+    const auto& pivots = ldlt.vectorD();
+    const bool positive = ldlt.info() == Eigen::Success &&
+                          std::all_of(pivots.data(), pivots.data() + pivots.size(), is_positive);
     status = positive ? SparseStatus::ok : SparseStatus::not_positive_definite;
   }
 };

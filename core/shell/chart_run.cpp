@@ -96,12 +96,17 @@ std::uint64_t fingerprint(Index chart, const DomainInput& input, const Fields& f
 /// Below it the worst quad of a face counts beside all others: in space little can be done for it.
 constexpr double least_eta = 0.2;
 
-/// Of a grid: at the border nodes slide later to where its lines end.
+/// Of a grid: at the border nodes slide later to where its lines end. In a strip one quad wide there
+/// is nothing else.
 double least_eta_inside(const QuadMesh& grid) {
   double least = 1;
-  for (const Face& face : grid.faces)
-    if (!touches_border(grid, face)) least = std::min(least, face_eta(grid.points, face));
-  return least;
+  bool all_touch = true;
+  for (const Face& face : grid.faces) {
+    if (touches_border(grid, face)) continue;
+    all_touch = false;
+    least = std::min(least, face_eta(grid.points, face));
+  }
+  return all_touch ? quad_quality(grid).eta_min : least;
 }
 
 /// What is lacking in shape, and in regular vertices: one for each vertex counts as much as eta 0.

@@ -33,8 +33,9 @@ SurfacePlace place_on(const Chart& chart, const Fields& fields, Vec2 p, Index& h
   const Index t = fields.locator.find_nearest(p, hint);
   const auto [i, j, k] = chart.plane.triangles[t];
   const Vec2 a = chart.plane.points[i], b = chart.plane.points[j], c = chart.plane.points[k];
-  const Vec2 q = nearest_in(a, b, c, p);
   const double area = cross(b - a, c - a);
+  if (!(area > 0)) return {chart.triangles[t], {1.0 / 3, 1.0 / 3, 1.0 / 3}};  // a plane that failed
+  const Vec2 q = nearest_in(a, b, c, p);
   const double wa = std::clamp(cross(c - b, q - b) / area, 0.0, 1.0);
   const double wb = std::clamp(cross(a - c, q - c) / area, 0.0, 1.0 - wa);
   return {chart.triangles[t], {wa, wb, 1 - wa - wb}};

@@ -101,7 +101,7 @@ class SumMaker {
         end_sum(false);
       }
     }
-    std::stable_sort(others.begin(), others.end(), comes_first);
+    sort_values(others, comes_first);
     if (!has_outline && are_ring(others)) {
       add_ring(*others[0], *others[1]);
       others.erase(others.begin(), others.begin() + 2);
@@ -112,10 +112,11 @@ class SumMaker {
     }
   }
 
-  /// Round ones last, by their lengths.
+  /// Round ones last, by their lengths; else as they are in their vector.
   static bool comes_first(const FaceBorder* a, const FaceBorder* b) {
     if (a->round != b->round) return b->round;
-    return a->round && length_round(*a) > length_round(*b);
+    const double by = a->round ? length_round(*a) - length_round(*b) : 0;
+    return by != 0 ? by > 0 : a < b;
   }
 
   /// Are the first two opposite borders of a ring, and the others its holes?

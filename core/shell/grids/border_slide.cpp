@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "cleanup/quad_topology.h"
 #include "cleanup/untangle.h"
 
 namespace lpq {
@@ -22,7 +23,9 @@ double sine(Vec2 a, Vec2 b) {
 class Slider {
  public:
   Slider(QuadMesh grid, const std::vector<LatticeLoop>& loops)
-      : grid_(std::move(grid)), ways_(static_cast<std::size_t>(grid_.fixed)) {
+      : grid_(std::move(grid)),
+        faces_at_(faces_at_vertices(grid_)),
+        ways_(static_cast<std::size_t>(grid_.fixed)) {
     for (const LatticeLoop& loop : loops)
       for (std::size_t k = 0, n = loop.nodes.size(); k < n; ++k)
         add(loop.nodes[(k + n - 1) % n], loop.nodes[k], loop.nodes[(k + 1) % n]);
@@ -73,8 +76,8 @@ class Slider {
   /// The least sine of a corner of a quad at v.
   double worst_corner(Index v) const {
     double worst = 1;
-    for (const Face& face : grid_.faces) {
-      if (std::find(face.begin(), face.end(), v) == face.end()) continue;
+    for (const Index f : faces_at_.row(v)) {
+      const Face& face = grid_.faces[f];
       for (std::size_t k = 0; k < 4; ++k) {
         const Vec2 p = grid_.points[face[k]];
         worst = std::min(
@@ -85,6 +88,7 @@ class Slider {
   }
 
   QuadMesh grid_;
+  Csr<Index> faces_at_;     // #V
   std::vector<Ways> ways_;  // #fixed
 };
 
