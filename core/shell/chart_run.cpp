@@ -96,8 +96,8 @@ std::uint64_t fingerprint(Index chart, const DomainInput& input, const Fields& f
 /// Below it the worst quad of a face counts beside all others: in space little can be done for it.
 constexpr double least_eta = 0.2;
 
-/// Of a grid: at the border nodes slide later to where its lines end. In a strip one quad wide there
-/// is nothing else.
+/// Of a grid: at the border nodes slide later to where its lines end. In a strip one quad wide
+/// there is nothing else.
 double least_eta_inside(const QuadMesh& grid) {
   double least = 1;
   bool all_touch = true;

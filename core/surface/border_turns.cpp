@@ -182,7 +182,8 @@ class Turns {
     double gap = 0;
     const int way = way_[k];
     for (bend.end = k; k < steps_.size(); ++k) {
-      gap += k > bend.end ? steps_[k].length : 0;
+      const bool joins = k == bend.end && way_[k] != 0;  // two turns with nothing between them
+      if (!joins) gap += steps_[k].length;
       if (way_[k] == -way || gap > bend_gap) break;
       if (way_[k] == 0) continue;
       gap = 0;
