@@ -115,6 +115,8 @@ constexpr Signature signatures[] = {
     {"*NODE", "an Abaqus file", as_mesh},
     {"\x89HDF", "an HDF5 file", as_mesh},
     {"(0 \"", "a mesh of Fluent", as_mesh},
+    {"(1 \"", "a mesh of Fluent", as_mesh},
+    {"mshid=", "a mesh of JIGSAW", as_mesh},
     {"$NOD", "a Gmsh mesh of version 1", "Save it as version 2.2 or 4.1."},
     {"404: Not", "the answer that a page was not found", load_again},
     {"404 Not", "the answer that a page was not found", load_again},

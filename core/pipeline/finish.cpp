@@ -1,10 +1,13 @@
 #include "pipeline/finish.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 #include "base/fields.h"
 #include "base/hash.h"
+#include "base/words.h"
+#include "geometry/box.h"
 #include "mesh/quality.h"
 
 namespace lpq {
@@ -32,6 +35,20 @@ std::vector<OutputEdge> output_edges(const BoundaryMesh& boundary) {
     edges.push_back({boundary.output_rank[s.a], boundary.output_rank[s.b], s.left, s.right, s.tag,
                      s.region, s.loop, s.edge});
   return edges;
+}
+
+/// Between the two boundary points nearest to a place, if that is next to nothing; else 0.
+double gap_at(const OutputMesh& mesh, Vec2 place) {
+  constexpr double nothing = 1e-12;  // of the extent
+  if (mesh.fixed < 2) return 0;
+  std::array<Vec2, 2> nearest;
+  const auto before = [place](Vec2 p, Vec2 q) {
+    return squared_length(p - place) < squared_length(q - place);
+  };
+  const auto end = mesh.points.begin() + mesh.fixed;
+  std::partial_sort_copy(mesh.points.begin(), end, nearest.begin(), nearest.end(), before);
+  const double gap = distance(nearest[0], nearest[1]);
+  return gap < nothing * longer_side(box_of(mesh.points)) ? gap : 0;
 }
 
 }  // namespace
@@ -82,15 +99,22 @@ std::vector<Violation> check_output(const OutputMesh& mesh) {
   return validate(plain, {outline});
 }
 
-Error no_valid_mesh(const std::vector<Violation>& violations) {
+Error no_valid_mesh(const OutputMesh& mesh, const std::vector<Violation>& violations) {
   const Violation& first = violations.front();
   Error error;
-  error.code = ErrorCode::no_valid_mesh;
-  error.message = "No valid mesh was found: " + first.what +
-                  " Try a smaller size, or let the boundary be refined instead of kept.";
   error.where.has_point = true;
   error.where.x = first.point.x;
   error.where.y = first.point.y;
+  error.code = ErrorCode::touching;
+  if (const double gap = gap_at(mesh, first.point); gap > 0) {
+    error.message = "Two points of the boundary lie " + short_number(gap) +
+                    " apart, nearer than quads can be told from each other. Make them one point "
+                    "where the lines may meet, or move them apart.";
+    return error;
+  }
+  error.code = ErrorCode::no_valid_mesh;
+  error.message = "No valid mesh was found: " + first.what +
+                  " Try a smaller size, or let the boundary be refined instead of kept.";
   return error;
 }
 

@@ -20,8 +20,8 @@ OutputMesh to_output(const QuadMesh& mesh, const Domain& domain, const BoundaryM
 /// The promise, checked on the very coordinates that leave the library. Empty = kept.
 std::vector<Violation> check_output(const OutputMesh& mesh);
 
-/// What the caller is told of them.
-Error no_valid_mesh(const std::vector<Violation>& violations);
+/// What the caller is told of them: touching, if points of the boundary all but coincide there.
+Error no_valid_mesh(const OutputMesh& mesh, const std::vector<Violation>& violations);
 
 /// Tells of every triangle where it is and how good; for meshes that have one only in parts of odd
 /// count.

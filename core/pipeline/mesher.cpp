@@ -268,7 +268,7 @@ Result<Stage> Mesher::check() {
   output_ = to_output(quads_, prepared_->domain,
                       attempt().subdivide ? halve_edges(nodes, frame()) : nodes);
   if (const std::vector<Violation> violations = check_output(output_); !violations.empty())
-    return next_attempt(no_valid_mesh(violations));
+    return next_attempt(no_valid_mesh(output_, violations));
 
   report_.quality = quad_quality(quads_);
   if (const Index surplus = report_.quality.triangles - triangles_allowed(); surplus > 0)

@@ -72,21 +72,53 @@ Warning bent_quads(const ShellMesh& mesh, Index count) {
           {}};
 }
 
-/// Where the mesh cuts off more of the surface than a good quad does.
+/// Of narrow strips and folds of the surface, mostly.
+void warn_of_thin_quads(ShellOutcome& outcome) {
+  constexpr double thin = 0.02;  // eta
+  const std::vector<Vec3>& p = outcome.mesh.points;
+  Index count = 0, first = none;
+  for (const Face& face : outcome.mesh.faces) {
+    if (corner_count(face) == 3) continue;
+    const auto [a, b, c, d] = face;
+    if (quad_eta(p[a], p[b], p[c], p[d]) >= thin || has_reflex_corner(p[a], p[b], p[c], p[d]))
+      continue;
+    if (count++ == 0) first = a;
+  }
+  if (count == 0) return;
+  outcome.report.warnings.push_back(
+      {ErrorCode::bad_size,
+       "Quads with hardly any area (eta below " + short_number(thin) +
+           "): " + std::to_string(count) + ", the first near " +
+           place_in_space(p[first].x, p[first].y, p[first].z) +
+           ". The surface has a strip or a fold there that is narrow for the size. Mend it, or use "
+           "a smaller size.",
+       {}});
+}
+
+Index nearest_vertex(const ShellMesh& mesh, Vec3 p) {
+  Index nearest = 0;
+  for (Index v = 1; v < static_cast<Index>(mesh.points.size()); ++v)
+    if (distance(mesh.points[v], p) < distance(mesh.points[nearest], p)) nearest = v;
+  return nearest;
+}
+
+/// Where the mesh cuts off more of the surface than a good quad does, or stands out from it.
 void warn_of_distance(std::span<const double> size, ShellOutcome& outcome) {
   constexpr double most = 0.5;  // of the size there
-  const ShellMesh& mesh = outcome.mesh;
-  const auto& [max, mean, at] = outcome.report.distance.from_surface;
-  std::size_t nearest = 0;
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    if (distance(mesh.points[v], at) < distance(mesh.points[nearest], at)) nearest = v;
-  const double h = size_at(outcome.surface.triangles, mesh.places[nearest], size);
+  const auto& [to_surface, from_surface] = outcome.report.distance;
+  const bool stands_out = to_surface.max > from_surface.max;
+  const auto& [max, mean, at] = stands_out ? to_surface : from_surface;
+  const SurfacePlace& place = outcome.mesh.places[nearest_vertex(outcome.mesh, at)];
+  const double h = size_at(outcome.surface.triangles, place, size);
   if (max <= most * h) return;
   outcome.report.warnings.push_back(
       {ErrorCode::bad_size,
-       "The mesh cuts off what is small for its size: the surface goes " + short_number(max) +
-           " from it near " + place_in_space(at.x, at.y, at.z) + ", where the size is " +
-           short_number(h) + ". Use a smaller size.",
+       (stands_out ? "Quads stand out from what is small for their size: up to " +
+                         short_number(max) + " from the surface near "
+                   : "The mesh cuts off what is small for its size: the surface goes " +
+                         short_number(max) + " from it near ") +
+           place_in_space(at.x, at.y, at.z) + ", where the size is " + short_number(h) +
+           ". Use a smaller size.",
        {}});
 }
 
@@ -107,6 +139,7 @@ void summarise(const SurfaceFeatures& features, const SurfaceCrossField& cross,
   report.bodies = reports_of_bodies(outcome);
   report.hash = hash_of(outcome.mesh);
   warn_of_distance(size, outcome);
+  warn_of_thin_quads(outcome);
   if (report.quality.nonconvex > 0)
     report.warnings.push_back(bent_quads(outcome.mesh, report.quality.nonconvex));
 }

@@ -92,6 +92,8 @@ TEST_CASE("archives, pages, pictures and pointers are told in every format") {
       {"\x89PNG\r\n\x1A\n", "PNG"},
       {"version https://git-lfs.github.com/spec/v1\noid sha256:1\n", "git lfs pull"},
       {"ISO-10303-21;\nHEADER;\n", "STEP"},
+      {"(1 \"TGrid 2D 2.4.1\")\n", "Fluent"},
+      {"mshid=3\nndims=2\n", "JIGSAW"},
       {"glTF\x02", "glTF"}};
   for (const auto& [bytes, word] : wrong) {
     for (const SurfaceFormatInfo& format : surface_formats) {

@@ -97,6 +97,18 @@ TEST_CASE("the refined boundary holds every given vertex and an even count") {
   }
 }
 
+TEST_CASE("where points of the boundary all but coincide, that is why there is no mesh") {
+  OutputMesh mesh;
+  mesh.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}, {std::nextafter(0.5, 1.0), 0.5}};
+  mesh.fixed = 6;
+  const auto told = [&](Vec2 place) { return no_valid_mesh(mesh, {{"It is bent.", 0, 0, place}}); };
+  CHECK(told({0.55, 0.5}).code == ErrorCode::touching);
+  CHECK(told({0.55, 0.5}).where.x == 0.55);
+  CHECK(told({0.9, 0.9}).code == ErrorCode::no_valid_mesh);
+  mesh.points[5] = {0.5000001, 0.5};
+  CHECK(told({0.55, 0.5}).code == ErrorCode::no_valid_mesh);
+}
+
 TEST_CASE("sizes that make no sense are refused before any work") {
   const auto code = [](double size) {
     const auto outcome = mesh_domain(square(1, 0.1), {.size = size});

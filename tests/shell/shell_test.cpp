@@ -289,6 +289,13 @@ TEST_CASE("a size larger than a body leaves its edges and corners") {
   CHECK(outcome->report.distance.from_surface.max < 1e-9);
 }
 
+bool warns(const ShellOutcome& outcome, const char* of) {
+  const auto& warnings = outcome.report.warnings;
+  return std::any_of(warnings.begin(), warnings.end(), [&](const Warning& warning) {
+    return warning.code == ErrorCode::bad_size && warning.message.find(of) != std::string::npos;
+  });
+}
+
 /// A cone of needles with its base.
 SurfaceSoup needle_cone(double radius, double height, int sides) {
   SurfaceSoup soup;
@@ -324,16 +331,27 @@ TEST_CASE("a seam inside another tube is no less looked after") {
   CHECK(windows(both) >= windows(outer) + windows(inner));
 }
 
-TEST_CASE("what a mesh cuts off is told") {
-  const auto outcome = mesh_surface(needle_cone(0.5, 10, 31), {.size = 0.2});
-  REQUIRE(outcome.has_value());
-  const double max = outcome->report.distance.from_surface.max;
-  const auto& warnings = outcome->report.warnings;
-  const bool told = std::any_of(warnings.begin(), warnings.end(), [](const Warning& warning) {
-    return warning.code == ErrorCode::bad_size &&
-           warning.message.find("cuts off") != std::string::npos;
-  });
-  CHECK(told == (max > 0.1));
+TEST_CASE("what a mesh cuts off or adds is told") {
+  for (const double size : {0.1, 0.2, 0.4}) {
+    const auto outcome = mesh_surface(needle_cone(0.5, 10, 31), {.size = size});
+    REQUIRE(outcome.has_value());
+    const auto& [to_surface, from_surface] = outcome->report.distance;
+    CHECK(warns(*outcome, "cuts off") ==
+          (from_surface.max > 0.5 * size && from_surface.max >= to_surface.max));
+    CHECK(warns(*outcome, "stand out") ==
+          (to_surface.max > 0.5 * size && to_surface.max > from_surface.max));
+  }
+}
+
+TEST_CASE("quads with hardly any area are told") {
+  for (const double width : {0.05, 1.0}) {
+    SurfaceSoup wedge;
+    wedge.points = {{0, 0, 0}, {10, -width, 0}, {10, width, 0}};
+    wedge.triangles = {{0, 1, 2}};
+    const ShellOutcome outcome = meshed(wedge, {.size = 0.5});
+    CHECK(warns(outcome, "hardly any area") == (outcome.report.quality.eta_min < 0.02));
+    CHECK(warns(outcome, "hardly any area") == (width < 0.1));
+  }
 }
 
 TEST_CASE("a tip thinner than every size ends in a plain reason, not in ever smaller quads") {
