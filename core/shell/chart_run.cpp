@@ -96,8 +96,8 @@ std::uint64_t fingerprint(Index chart, const DomainInput& input, const Fields& f
 /// Below it the worst quad of a face counts beside all others: in space little can be done for it.
 constexpr double least_eta = 0.2;
 
-/// Of a grid: at the border nodes slide later to where its lines end. In a strip one quad wide
-/// there is nothing else.
+/// Of a grid: at the border nodes slide later to where its lines end. Where all quads lie there, as
+/// in a strip one quad wide, that mends some of them, but not a grid that leans as a whole.
 double least_eta_inside(const QuadMesh& grid) {
   double least = 1;
   bool all_touch = true;
@@ -106,7 +106,7 @@ double least_eta_inside(const QuadMesh& grid) {
     all_touch = false;
     least = std::min(least, face_eta(grid.points, face));
   }
-  return all_touch ? quad_quality(grid).eta_min : least;
+  return all_touch ? quad_quality(grid).eta_mean : least;
 }
 
 /// What is lacking in shape, and in regular vertices: one for each vertex counts as much as eta 0.

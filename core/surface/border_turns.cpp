@@ -16,6 +16,7 @@ constexpr double sharp_turn = 25 * pi / 180;
 constexpr double tight_turn = (60 - rounding) * pi / 180, tight_reach = 1.5 + rounding;
 // Turns one way at both ends of an edge, or nearer to each other than so many mesh sizes, are one
 // bend, and a bend is a number of right angles: the long way round coarse polygons is rounded once.
+// The edge behind a turn is no gap even where its end does not turn; to count it gains nothing.
 constexpr double bend_gap = 1;
 constexpr double little = 0.5;  // mesh sizes; a shorter piece of a curve is no side
 
@@ -182,8 +183,7 @@ class Turns {
     double gap = 0;
     const int way = way_[k];
     for (bend.end = k; k < steps_.size(); ++k) {
-      const bool joins = k == bend.end && way_[k] != 0;  // two turns with nothing between them
-      if (!joins) gap += steps_[k].length;
+      gap += k > bend.end ? steps_[k].length : 0;
       if (way_[k] == -way || gap > bend_gap) break;
       if (way_[k] == 0) continue;
       gap = 0;
