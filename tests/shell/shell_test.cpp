@@ -345,10 +345,10 @@ TEST_CASE("what a mesh cuts off or adds is told") {
 
 TEST_CASE("quads with hardly any area are told") {
   for (const double width : {0.05, 1.0}) {
-    SurfaceSoup wedge;
-    wedge.points = {{0, 0, 0}, {10, -width, 0}, {10, width, 0}};
-    wedge.triangles = {{0, 1, 2}};
-    const ShellOutcome outcome = meshed(wedge, {.size = 0.5});
+    SurfaceSoup splinter;
+    splinter.points = {{0, 0, 0}, {10, -width, 0}, {10, width, 0}};
+    splinter.triangles = {{0, 1, 2}};
+    const ShellOutcome outcome = meshed(splinter, {.size = 0.5});
     CHECK(warns(outcome, "hardly any area") == (outcome.report.quality.eta_min < 0.02));
     CHECK(warns(outcome, "hardly any area") == (width < 0.1));
   }
