@@ -25,7 +25,7 @@ enum class ErrorCode {
   zero_area,                 // a loop that encloses nothing
   self_intersection,         // two boundary edges cross
   overlapping_edges,         // two boundary edges share a piece of line (also spikes)
-  touching,                  // two boundary edges touch in a single point
+  touching,                  // two boundary edges touch in a single point, or all but
   hole_outside,              // a hole not inside the outer loop
   nested_or_duplicate_hole,  // a hole inside, or equal to, another hole
   region_conflict,           // two regions overlap

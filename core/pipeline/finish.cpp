@@ -43,7 +43,8 @@ double gap_at(const OutputMesh& mesh, Vec2 place) {
   if (mesh.fixed < 2) return 0;
   std::array<Vec2, 2> nearest;
   const auto before = [place](Vec2 p, Vec2 q) {
-    return squared_length(p - place) < squared_length(q - place);
+    const double by = squared_length(p - place) - squared_length(q - place);
+    return by != 0 ? by < 0 : p < q;
   };
   const auto end = mesh.points.begin() + mesh.fixed;
   std::partial_sort_copy(mesh.points.begin(), end, nearest.begin(), nearest.end(), before);
@@ -105,8 +106,8 @@ Error no_valid_mesh(const OutputMesh& mesh, const std::vector<Violation>& violat
   error.where.has_point = true;
   error.where.x = first.point.x;
   error.where.y = first.point.y;
-  error.code = ErrorCode::touching;
   if (const double gap = gap_at(mesh, first.point); gap > 0) {
+    error.code = ErrorCode::touching;
     error.message = "Two points of the boundary lie " + short_number(gap) +
                     " apart, nearer than quads can be told from each other. Make them one point "
                     "where the lines may meet, or move them apart.";

@@ -21,7 +21,7 @@ struct SurfaceFans {
 /// marked; empty for none). Numbered by their first corner. An open fan begins at its barrier.
 SurfaceFans fans_of(std::span<const Index> twins, std::span<const char> barrier = {});
 
-/// Radians between half-edge e and the one before it in its triangle, which end where e begins.
+/// Radians between half-edge e and the one before it in its triangle.
 double corner_angle(const SurfaceMesh& mesh, Index e);
 
 }  // namespace lpq
