@@ -20,8 +20,8 @@ namespace {
 
 // Sizes on a surface vary over lengths of some quads.
 constexpr double fields_detail = 4;
-// Root mean square, of lengths in a plane that is as good as the surface.
-constexpr double most_unevenness = 0.02;
+// Of a plane that is as good as the surface; and of one where corners of quads are as on it.
+constexpr double most_unevenness = 0.02 * 0.02, most_askew = 0.15 * 0.15;
 
 /// How fine the fields of the plane must be, from place to place: a chart may have a size far below
 /// all others in one spot.
@@ -55,9 +55,13 @@ UserFields fields_of_user(const Fields& fields) {
   return user;
 }
 
-/// Does the map keep lengths, but for a common factor? Then what is good in the plane is good in
-/// space.
-bool keeps_lengths(const SurfaceMesh& mesh, const Chart& chart) {
+/// How far the map is from one that keeps angles, and from one that keeps lengths but for a common
+/// factor: variances.
+struct Unevenness {
+  double angle = 0, length = 0;
+};
+
+Unevenness unevenness_of(const SurfaceMesh& mesh, const Chart& chart) {
   const std::vector<Vec2> mu = stretches_in_plane(mesh, chart);
   double area = 0, stretch = 0, scale = 0, square = 0;
   for (std::size_t t = 0; t < chart.triangles.size(); ++t) {
@@ -69,8 +73,7 @@ bool keeps_lengths(const SurfaceMesh& mesh, const Chart& chart) {
     scale += weight * chart.scale[t];
     square += weight * chart.scale[t] * chart.scale[t];
   }
-  const double most = most_unevenness * most_unevenness;
-  return stretch < most * area && square * area - scale * scale < most * scale * scale;
+  return {stretch / area, square * area / (scale * scale) - 1};
 }
 
 bool is_whole_face(const Charted& charted, const Chart& chart) {
@@ -135,8 +138,11 @@ ChartRun::ChartRun(const Charted& charted, const CurveNodes& nodes, Index chart)
           chart_domain(charted.mesh, charted.lines, charted.curves, charted.atlas, chart_, nodes)),
       fields_(chart_fields(charted.mesh, charted.cross, charted.size, chart_)),
       key_(fingerprint(chart, domain_.input, fields_)),
-      isometric_(keeps_lengths(charted.mesh, chart_)),
-      whole_face_(is_whole_face(charted, chart_)) {}
+      whole_face_(is_whole_face(charted, chart_)) {
+  const Unevenness off = unevenness_of(charted.mesh, chart_);
+  conformal_ = off.angle < most_askew;
+  isometric_ = off.angle < most_unevenness && off.length < most_unevenness;
+}
 
 std::optional<Result<OutputMesh>> ChartRun::step(const Options& options) {
   std::optional<Error> failure = advance(options);
@@ -170,13 +176,21 @@ bool ChartRun::keep_better(const QuadMesh& quads, double eta_min, OutputMesh out
   return true;
 }
 
-/// Where the border allows a plain grid, and that is better.
-bool ChartRun::take_grid(const Options& options) {
-  const Fields& fields = mesher_->fields();
-  auto grid = submapped_grid(mesher_->boundary(), mesher_->triangles(), cell_capacity(fields));
+/// If that is better.
+bool ChartRun::take(std::optional<QuadMesh> grid, const Options& options) {
   if (!grid) return false;
-  smooth_eta(*grid, fields, shape_smoothing(options));
+  smooth_eta(*grid, mesher_->fields(), shape_smoothing(options));
   return keep_better(*grid, least_eta_inside(*grid), mesher_->output_of(*grid));
+}
+
+/// Plain grids where the border allows them.
+bool ChartRun::take_grids(const Options& options) {
+  const BoundaryMesh& boundary = mesher_->boundary();
+  const double wanted = cell_capacity(mesher_->fields());
+  const bool plane =
+      isometric_ && take(submapped_grid(boundary, mesher_->triangles(), wanted), options);
+  const bool ring = take(ring_grid(boundary, mesher_->triangles(), wanted), options);
+  return plane || ring;
 }
 
 /// Is there hope for a better mesh?
@@ -188,9 +202,9 @@ bool ChartRun::may_gain(bool took_grid) const {
 }
 
 bool ChartRun::begin_again(const Options& options) {
-  if (!isometric_ || options.method == Method::paper) return false;
-  const bool took_grid = tries_ == 0 && mesher_ && take_grid(options);
-  if (!whole_face_ || !may_gain(took_grid)) return false;
+  if (!conformal_ || options.method == Method::paper) return false;
+  const bool took_grid = tries_ == 0 && mesher_ && take_grids(options);
+  if (!isometric_ || !whole_face_ || !may_gain(took_grid)) return false;
   ++tries_;
   mesher_.reset();
   return true;

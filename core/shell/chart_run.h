@@ -1,6 +1,6 @@
-// The planar chain in one chart with the surface's field; against it, where the map keeps lengths,
-// a plain grid as far as the border allows, and the chain with fields of its own if no cut borders
-// the chart. The best mesh is kept.
+// The planar chain in one chart with the surface's field; against it, as far as the border allows,
+// a plain ring where the map keeps angles, and where it keeps lengths a grid, too, and the chain
+// with fields of its own if no cut borders the chart. The best mesh is kept.
 #pragma once
 
 #include <cstdint>
@@ -42,7 +42,8 @@ class ChartRun {
  private:
   std::optional<Error> advance(const Options& options);
   bool keep_better(const QuadMesh& quads, double eta_min, OutputMesh output);
-  bool take_grid(const Options& options);
+  bool take(std::optional<QuadMesh> grid, const Options& options);
+  bool take_grids(const Options& options);
   bool may_gain(bool took_grid) const;
   bool begin_again(const Options& options);
 
@@ -50,6 +51,7 @@ class ChartRun {
   ChartDomain domain_;
   Fields fields_;
   std::uint64_t key_ = 0;
+  bool conformal_ = false;   // about
   bool isometric_ = false;   // but for a factor
   bool whole_face_ = false;  // no cut borders it
   // With fields of the chain's own: large triangles know one direction each, its background follows

@@ -131,9 +131,9 @@ class Balancer {
   }
   double price(Index s, Index value) const {
     const Index by = off(s, value);
-    const double each = sums_.only_parity[s]       ? 0
-                        : sums_.between_circles[s] ? price_in_ring
-                                                   : price_of_edge;
+    const double each = sums_.only_parity[s]   ? 0
+                        : sums_.across_ring[s] ? price_in_ring
+                                               : price_of_edge;
     return each * by + price_of_odd_ * (by % 2);
   }
 

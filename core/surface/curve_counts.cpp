@@ -15,7 +15,7 @@ constexpr Index fewest_of_closed = 4;
 constexpr Index fewest_in_ring = 6;  // a square's sides would be off by more than narrow quads bear
 // Of the steps on both sides; a third more on one than on the other.
 constexpr double most_difference = 0.15;
-constexpr double most_in_ring = 0.3;  // of small circles
+constexpr double most_in_ring = 0.35;  // twice as many
 
 Index rounded(double x) { return static_cast<Index>(std::floor(x + 0.5)); }
 
@@ -211,7 +211,7 @@ CountSums possible_sums(CountSums sums, std::span<const double> steps) {
       total += std::abs(term.factor) * steps[term.curve];
     }
     const double most =
-        sums.between_circles[s] ? most_in_ring * total + 2 : most_difference * total + 1;
+        sums.across_ring[s] ? most_in_ring * total + 2 : most_difference * total + 1;
     if (std::abs(difference) > most) sums.only_parity[s] = 1;
   }
   return sums;

@@ -52,13 +52,16 @@ class BorderWalker {
       step.length = distance(mesh_.points[mesh_.origin(e)], mesh_.points[mesh_.target(e)]) /
                     size_[step.curve];
       step.ends_curve = features_.corner[mesh_.target(e)];
-      double angle = 0;
-      e = next_on_border(e, angle);
-      step.turn = pi - angle;
+      double inside = 0;
+      e = next_on_border(e, inside);
+      step.turn = pi - inside;
       steps.push_back(step);
     }
+    double angle = 0;
+    for (const BorderStep& step : steps) angle += step.turn;
     FaceBorder border = border_of(std::move(steps));
     border.face = face;
+    border.angle = angle;
     return border;
   }
 

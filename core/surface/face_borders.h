@@ -27,6 +27,7 @@ struct BorderSide {
 
 struct FaceBorder {
   Index face = none, turns = 0;  // right angles in all, to the left
+  double angle = 0;              // by which it turns, radians
   std::vector<BorderSide> sides;
   bool round = false;  // one bend all the way: does not count as turning
 };

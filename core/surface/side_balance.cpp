@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/sort_numbers.h"
+#include "numerics/elementary.h"
 #include "surface/face_borders.h"
 
 namespace lpq {
@@ -12,6 +13,8 @@ namespace {
 
 // A round hole bounds a ring with a border round it that is up to so many times as long.
 constexpr double wide_ring = 2;
+// Of a face whose rings are plain, 1 that of a sphere's half.
+constexpr double most_curvature = 0.03;
 
 /// A length in edges.
 Index rounded(double length) { return static_cast<Index>(std::floor(length + 0.5)); }
@@ -103,7 +106,7 @@ class SumMaker {
     }
     sort_values(others, comes_first);
     if (!has_outline && are_ring(others)) {
-      add_ring(*others[0], *others[1]);
+      add_ring(*others[0], *others[1], is_even(around));
       others.erase(others.begin(), others.begin() + 2);
     }
     for (const FaceBorder* border : others) {
@@ -129,7 +132,15 @@ class SumMaker {
                        [](const FaceBorder* border) { return border->round; });
   }
 
-  void add_ring(const FaceBorder& a, const FaceBorder& b) {
+  /// Has a disk with such holes no curvature in all [Gauss, Bonnet]? Then none asks for irregular
+  /// vertices.
+  static bool is_even(std::span<const FaceBorder* const> borders) {
+    double turns = 0;
+    for (const FaceBorder* border : borders) turns += border->angle / (2 * pi);
+    return std::fabs(2 - static_cast<double>(borders.size()) - turns) < most_curvature;
+  }
+
+  void add_ring(const FaceBorder& a, const FaceBorder& b, bool even) {
     const Index along_a = way_round(a), along_b = way_round(b);
     add_terms(a, along_a + 1, 1);
     end_sum(false);
@@ -137,7 +148,8 @@ class SumMaker {
     end_sum(false);
     add_terms(a, along_a, 1);
     add_terms(b, along_b, -1);
-    end_sum(false, a.round || b.round);
+    const bool circles = a.round || b.round;
+    end_sum(false, even || circles, circles);
   }
 
   void add_terms(const FaceBorder& border, Index direction, Index sign) {
@@ -151,7 +163,7 @@ class SumMaker {
   }
 
   /// Both sides of one curve add up.
-  void end_sum(bool only_parity, bool between_circles = false) {
+  void end_sum(bool only_parity, bool across_ring = false, bool between_circles = false) {
     sort_values(row_, [](const CountTerm& a, const CountTerm& b) { return a.curve < b.curve; });
     std::vector<CountTerm>& terms = sums_.terms.values;
     const std::size_t first = terms.size();
@@ -171,6 +183,7 @@ class SumMaker {
       sums_.terms.end_row();
       sums_.constant.push_back(constant_);
       sums_.only_parity.push_back(only_parity);
+      sums_.across_ring.push_back(across_ring);
       sums_.between_circles.push_back(between_circles);
     }
     constant_ = 0;

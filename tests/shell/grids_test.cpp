@@ -61,8 +61,9 @@ BoundaryMesh boundary_of(const std::vector<Vec2>& points) {
   return boundary;
 }
 
-std::optional<QuadMesh> grid_of(const BoundaryMesh& boundary, double wanted) {
-  return submapped_grid(boundary, {}, wanted);
+std::optional<QuadMesh> grid_of(const BoundaryMesh& boundary, double wanted,
+                                const TriMesh& triangles = {}) {
+  return submapped_grid(boundary, triangles, wanted);
 }
 
 /// No vertex inside is irregular, and every edge of the border has its quad.
@@ -228,17 +229,20 @@ TEST_CASE("loops on the lattice enclose their area in cells", "[shell][grid]") {
       directions.insert(directions.end(), static_cast<std::size_t>(count), d);
     return loop(directions, at, first);
   };
+  const auto quads_of = [](std::vector<LatticeLoop> loops, Index nodes, double most) {
+    return lattice_quads({std::move(loops), 0, {}}, nodes, most);
+  };
   const LatticeLoop outer = rectangle(5, 4, {-2, 3}, 0);
   const auto hole = [&](LatticePlace at) { return loop({1, 0, 3, 2}, at, 18); };
-  const auto quads = lattice_quads({outer, hole({0, 5})}, 22, 100);
+  const auto quads = quads_of({outer, hole({0, 5})}, 22, 100);
   REQUIRE(quads);
   CHECK(quads->faces.size() == 19);
   CHECK(quads->inside == 12 - 4);
-  CHECK_FALSE(lattice_quads({outer, hole({-2, 5})}, 22, 100));                // touches
-  CHECK_FALSE(lattice_quads({outer, hole({5, 5})}, 22, 100));                 // outside
-  CHECK_FALSE(lattice_quads({outer, rectangle(1, 1, {0, 5}, 18)}, 22, 100));  // filled
-  CHECK_FALSE(lattice_quads({outer, hole({0, 5})}, 22, 20));                  // too large
-  CHECK_FALSE(lattice_quads({outer, hole({0, 5}), hole({0, 5})}, 26, 100));   // twice
+  CHECK_FALSE(quads_of({outer, hole({-2, 5})}, 22, 100));                // touches
+  CHECK_FALSE(quads_of({outer, hole({5, 5})}, 22, 100));                 // outside
+  CHECK_FALSE(quads_of({outer, rectangle(1, 1, {0, 5}, 18)}, 22, 100));  // filled
+  CHECK_FALSE(quads_of({outer, hole({0, 5})}, 22, 20));                  // too large
+  CHECK_FALSE(quads_of({outer, hole({0, 5}), hole({0, 5})}, 26, 100));   // twice
 }
 
 TEST_CASE("a plate with holes is a grid", "[shell][grid]") {
@@ -251,11 +255,11 @@ TEST_CASE("a plate with holes is a grid", "[shell][grid]") {
   Mesher chain = *mesher;
   while (chain.stage() != Stage::done) REQUIRE(chain.step());
   const double hole = edges * edges / 16.0;
-  const auto grid = submapped_grid(chain.boundary(), chain.triangles(), 160 - 3 * hole);
+  const auto grid = grid_of(chain.boundary(), 160 - 3 * hole, chain.triangles());
   REQUIRE(grid);
   check_grid(chain.boundary(), *grid);
   CHECK(static_cast<double>(grid->faces.size()) == 160 - 3 * hole);
-  CHECK_FALSE(submapped_grid(chain.boundary(), {}, 160 - 3 * hole));  // nothing tells where
+  CHECK_FALSE(grid_of(chain.boundary(), 160 - 3 * hole));  // nothing tells where
 }
 
 TEST_CASE("a flat part with holes has no irregular vertex inside", "[shell][grid]") {
@@ -280,7 +284,7 @@ TEST_CASE("quads at the border are made convex by its nodes", "[shell][grid]") {
   REQUIRE(mesher);
   Mesher chain = *mesher;
   while (chain.stage() != Stage::done) REQUIRE(chain.step());
-  const auto grid = submapped_grid(chain.boundary(), chain.triangles(), 152);
+  const auto grid = grid_of(chain.boundary(), 152, chain.triangles());
   REQUIRE(grid);
   const std::vector<Index> bent = invalid_faces(*grid);
   CHECK(!bent.empty());

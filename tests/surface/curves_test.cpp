@@ -338,7 +338,7 @@ TEST_CASE("counts go back to what the sizes ask for where sums let them") {
     sums.terms.end_row();
   }
   sums.constant = {0, 0};
-  sums.only_parity = sums.between_circles = {0, 0};
+  sums.only_parity = sums.across_ring = sums.between_circles = {0, 0};
   const std::vector<CountWish> wishes{{7.5}, {3.7}, {5.3}, {3.7}, {7.5}};
   std::vector<Index> counts{6, 4, 2, 4, 6};
   const auto misfit = [&](const std::vector<Index>& n) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shell/grids/polar.h"
 #include "shell/grids/springs.h"
 
 namespace lpq {
@@ -24,8 +25,9 @@ double off_lattice(Vec2 p) {
 constexpr std::size_t most_maps = 12;
 
 /// Shifts of the loops that are not placed yet, in the map that leaves them free; in their order.
-std::vector<Vec2> harmonic_shifts(const TriMesh& triangles, const std::vector<LatticeLoop>& loops,
+std::vector<Vec2> harmonic_shifts(const TriMesh& triangles, const LaidLoops& laid,
                                   const std::vector<char>& placed) {
+  const std::vector<LatticeLoop>& loops = laid.loops;
   std::vector<Index> body(triangles.points.size(), none);
   std::vector<Vec2> place(body.size());
   Index bodies = 0;
@@ -39,8 +41,13 @@ std::vector<Vec2> harmonic_shifts(const TriMesh& triangles, const std::vector<La
   for (std::size_t v = static_cast<std::size_t>(triangles.fixed); v < body.size(); ++v)
     body[v] = bodies++;
   Springs springs(std::move(body), std::move(place), bodies);
-  for (Index e = 0; e < 3 * triangles.triangle_count(); ++e)
-    springs.add(triangles.origin(e), triangles.target(e));
+  for (Index e = 0; e < 3 * triangles.triangle_count(); ++e) {
+    const Index v = triangles.origin(e), w = triangles.target(e);
+    Vec2 jump;
+    if (laid.round > 0)
+      jump.y = laid.round * sheets_between(triangles.points[v], triangles.points[w], laid.centre);
+    springs.add(v, w, jump);
+  }
   return springs.rest();
 }
 
@@ -64,16 +71,17 @@ void place_nearest(const std::vector<Vec2>& shifts, const std::vector<char>& was
 
 }  // namespace
 
-bool place_holes(const TriMesh& triangles, std::vector<LatticeLoop>& loops) {
-  std::vector<char> placed(loops.size(), 0);
-  placed[0] = 1;
-  const std::size_t holes = loops.size() - 1, at_once = (holes + most_maps - 1) / most_maps;
-  for (std::size_t count = 0; count < holes;) {
+bool place_holes(const TriMesh& triangles, std::size_t count, LaidLoops& laid) {
+  const std::size_t all = laid.loops.size();
+  std::vector<char> placed(all, 0);
+  std::fill_n(placed.begin(), count, 1);
+  const std::size_t at_once = (all - count + most_maps - 1) / most_maps;
+  while (count < all) {
     const std::vector<char> was_placed = placed;
-    const std::vector<Vec2> shifts = harmonic_shifts(triangles, loops, was_placed);
+    const std::vector<Vec2> shifts = harmonic_shifts(triangles, laid, was_placed);
     if (shifts.empty()) return false;
-    for (std::size_t k = 0; k < at_once && count < holes; ++k, ++count)
-      place_nearest(shifts, was_placed, loops, placed);
+    for (std::size_t k = 0; k < at_once && count < all; ++k, ++count)
+      place_nearest(shifts, was_placed, laid.loops, placed);
   }
   return true;
 }

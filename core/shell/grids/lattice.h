@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/vec.h"
 #include "mesh/quad_mesh.h"
 
 namespace lpq {
@@ -25,6 +26,14 @@ struct LatticeLoop {
   std::vector<LatticePlace> places;
 };
 
+/// Loops on one lattice, the outer one first. Where it goes `round`, places whose y differs by that
+/// many rows are one, and y grows to the left round `centre`; else `round` is 0.
+struct LaidLoops {
+  std::vector<LatticeLoop> loops;
+  Index round = 0;
+  Vec2 centre;
+};
+
 /// Cells of the lattice: their corners are the nodes of the loops and `inside` more vertices.
 struct LatticeQuads {
   std::vector<Face> faces;
@@ -34,7 +43,6 @@ struct LatticeQuads {
 /// The cells that the loops enclose; the loops' vertices are their nodes, 0 to `node_count` - 1.
 /// None if two nodes share a place, if some cell is neither inside once nor outside, or if the
 /// loops span more than `most` places. Cost O(places spanned).
-std::optional<LatticeQuads> lattice_quads(const std::vector<LatticeLoop>& loops, Index node_count,
-                                          double most);
+std::optional<LatticeQuads> lattice_quads(const LaidLoops& laid, Index node_count, double most);
 
 }  // namespace lpq

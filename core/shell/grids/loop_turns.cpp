@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
+#include "base/function_ref.h"
 #include "cleanup/ideal_valence.h"
 #include "mesh/ideal_quads.h"
 #include "numerics/elementary.h"
@@ -25,19 +27,44 @@ constexpr double price_of_angle = 0.2;
 // Of a corner of a quad that would be flat.
 constexpr double flat_corner = 170 * pi / 180, price_of_flat = 6;
 
+LatticePlace sum_of(std::span<const Index> directions) {
+  LatticePlace sum;
+  for (const Index d : directions) sum = sum + lattice_step(d);
+  return sum;
+}
+
+/// By quarter turns to the left.
+LatticePlace turned_left(LatticePlace p, Index quarters) {
+  for (Index k = quarters & 3; k > 0; --k) p = {-p.y, p.x};
+  return p;
+}
+
 /// A node of the border.
 struct Turning {
   std::array<double, 3> price;  // of a turn to the right, none, one to the left
   double turn = 0;              // quarter turns to the left in the plane
 };
 
+/// A border in the plane; it comes back `period` further.
+struct Border {
+  std::span<const Vec2> points;
+  Vec2 period;
+
+  std::size_t size() const { return points.size(); }
+  /// The way along edge k.
+  Vec2 edge(std::size_t k) const {
+    const bool last = k + 1 == size();
+    return points[last ? 0 : k + 1] + (last ? period : Vec2{}) - points[k];
+  }
+};
+
 /// From the node `first` on.
-std::vector<Turning> turnings_of(std::span<const Vec2> points, std::size_t first) {
-  const std::size_t n = points.size();
+std::vector<Turning> turnings_of(const Border& border, std::size_t first) {
+  const std::size_t n = border.size();
   std::vector<double> angle(n);
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t at = first + k;
-    angle[k] = sector_angle(points[at % n], points[(at + 1) % n], points[(at + n - 1) % n]);
+    angle[k] = sector_angle({}, border.edge(at % n), -border.edge((at + n - 1) % n));
   }
   std::vector<Turning> turnings(n);
   for (std::size_t k = 0; k < n; ++k) {
@@ -60,9 +87,11 @@ class WayRound {
   WayRound(std::vector<Turning> nodes, double off, Index turns)
       : nodes_(std::move(nodes)), off_(off), turns_(turns) {}
 
-  /// The cheapest of all ways; or, along `line`, the cheapest that closes. Empty if there is none.
-  std::vector<Index> run(std::span<const Index> line) {
+  /// The cheapest of all ways; or, along `line`, the cheapest that ends `end` from its start. Empty
+  /// if there is none.
+  std::vector<Index> run(std::span<const Index> line, LatticePlace end) {
     line_ = line;
+    end_ = end;
     reach_ = line.empty() ? 0 : widest_reach;
     side_ = 2 * reach_ + 1;
     came_.assign(nodes_.size() * state_count(), 0);
@@ -120,9 +149,8 @@ class WayRound {
   }
 
   std::vector<Index> trace() const {
-    // A way that closes is as far off the line at its end as the line is off its start.
     LatticePlace off{reach_, reach_};
-    for (const Index d : line_) off = off - lattice_step(d);
+    if (!line_.empty()) off = off + end_ - sum_of(line_);
     if (!is_near(off)) return {};
     Index direction = none;
     double least = infinity;
@@ -149,28 +177,24 @@ class WayRound {
   double off_;
   Index turns_;
   std::span<const Index> line_;
+  LatticePlace end_;
   Index reach_ = 0, side_ = 1;
   std::vector<double> price_, next_;  // of states at this edge and the next
   std::vector<signed char> came_;     // #points #states  the turn that led there
 };
 
-bool closes(std::span<const Index> way) {
-  LatticePlace place;
-  for (const Index d : way) place = place + lattice_step(d);
-  return place == LatticePlace{};
-}
-
-/// The edge that is nearest to the lattice's directions, where the way begins.
+/// Directions are counted from the edge where the way begins, the one that is nearest to the
+/// lattice's.
 struct Start {
   std::size_t edge = 0;
   Index direction = 0;
   double off = infinity;  // quarter turns to the left
 };
 
-Start start_of(std::span<const Vec2> points, double axis) {
+Start start_of(const Border& border, double axis) {
   Start start;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const Vec2 edge = points[(k + 1) % points.size()] - points[k];
+  for (std::size_t k = 0; k < border.size(); ++k) {
+    const Vec2 edge = border.edge(k);
     const double turned = (arc_tangent(edge.y, edge.x) - axis) / (pi / 2);
     const double nearest = std::floor(turned + 0.5);
     if (std::fabs(turned - nearest) < std::fabs(start.off))
@@ -179,22 +203,42 @@ Start start_of(std::span<const Vec2> points, double axis) {
   return start;
 }
 
-}  // namespace
+/// Where a line ends, seen from its start; and what is wanted there instead.
+using End = FunctionRef<LatticePlace(LatticePlace)>;
 
-std::vector<Index> loop_turns(std::span<const Vec2> points, double axis) {
-  const std::size_t n = points.size();
+std::vector<Index> turns_of(const Border& border, double axis, End wanted) {
+  const std::size_t n = border.size();
   if (n > most_edges) return {};
-  const Start start = start_of(points, axis);
-  std::vector<Turning> nodes = turnings_of(points, start.edge);
+  const Start start = start_of(border, axis);
+  std::vector<Turning> nodes = turnings_of(border, start.edge);
   double turns = 0;
   for (const Turning& node : nodes) turns += node.turn;
-  WayRound way(std::move(nodes), start.off, turns > 0 ? 4 : -4);
-  std::vector<Index> found = way.run({});
-  if (!closes(found)) found = way.run(std::vector<Index>(found));
+  const auto rounds = static_cast<Index>(std::floor(turns / 4 + 0.5));
+  if (std::abs(rounds) > 1) return {};
+  WayRound way(std::move(nodes), start.off, 4 * rounds);
+  std::vector<Index> found = way.run({}, {});
+  const LatticePlace end = sum_of(found);
+  const LatticePlace better =
+      turned_left(wanted(turned_left(end, start.direction)), -start.direction);
+  if (!(better == end)) found = way.run(std::vector<Index>(found), better);
   if (found.empty()) return {};
   std::vector<Index> directions(n);
   for (std::size_t k = 0; k < n; ++k) directions[(start.edge + k) % n] = start.direction + found[k];
   return directions;
+}
+
+}  // namespace
+
+std::vector<Index> loop_turns(std::span<const Vec2> points, double axis) {
+  return turns_of({points, {}}, axis, [](LatticePlace) { return LatticePlace{}; });
+}
+
+std::vector<Index> line_turns(std::span<const Vec2> points, Vec2 period,
+                              std::optional<Index> rows) {
+  return turns_of({points, period}, 0, [rows](LatticePlace end) {
+    // The columns and rows that so many edges pass are both odd or both even.
+    return LatticePlace{0, rows.value_or(end.y - std::abs(end.x) % 2)};
+  });
 }
 
 }  // namespace lpq

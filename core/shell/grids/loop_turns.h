@@ -1,6 +1,7 @@
 // Which way the edges of a border run on a lattice: where it turns, such that it comes back.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,5 +18,9 @@ namespace lpq {
 /// if no way near the cheapest one closes, or if the polygon has more than 4000 edges. Cost
 /// O(#points), times up to 5000 where the cheapest way does not close.
 std::vector<Index> loop_turns(std::span<const Vec2> points, double axis);
+
+/// The same for a line that goes on and on: point k again, `period` further. It ends as many rows
+/// above its start as is wanted, or as comes, and in its column; direction 0 is that of the x axis.
+std::vector<Index> line_turns(std::span<const Vec2> points, Vec2 period, std::optional<Index> rows);
 
 }  // namespace lpq

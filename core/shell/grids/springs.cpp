@@ -10,17 +10,17 @@ Springs::Springs(std::vector<Index> body, std::vector<Vec2> place, Index bodies)
       place_(std::move(place)),
       load_(2 * static_cast<std::size_t>(bodies), 0) {}
 
-void Springs::add(Index v, Index w) {
-  pull(v, w);
-  pull(w, v);
+void Springs::add(Index v, Index w, Vec2 jump) {
+  pull(v, w, jump);
+  pull(w, v, -jump);
 }
 
-void Springs::pull(Index v, Index w) {
+void Springs::pull(Index v, Index w, Vec2 jump) {
   const Index b = body_[v], c = body_[w];
   if (b == none || b == c) return;
   entries_.push_back({b, b, 1});
   if (c != none && c < b) entries_.push_back({b, c, -1});
-  const Vec2 d = place_[w] - place_[v];
+  const Vec2 d = place_[w] + jump - place_[v];
   load_[b] += d.x;
   load_[load_.size() / 2 + b] += d.y;
 }

@@ -16,13 +16,14 @@ class Springs {
   /// counted from where their body is. #V
   Springs(std::vector<Index> body, std::vector<Vec2> place, Index bodies);
 
-  void add(Index v, Index w);
+  /// `jump`: to be added to places of w where v is.
+  void add(Index v, Index w, Vec2 jump = {});
   /// Where the bodies are at rest; empty if some hang on nothing that is fixed. Cost that of a
   /// sparse factorisation.
   std::vector<Vec2> rest() const;
 
  private:
-  void pull(Index v, Index w);
+  void pull(Index v, Index w, Vec2 jump);
 
   std::vector<Index> body_;
   std::vector<Vec2> place_;

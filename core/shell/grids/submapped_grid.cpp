@@ -4,69 +4,12 @@
 #include <algorithm>
 
 #include "cleanup/untangle.h"
-#include "geometry/polygon.h"
-#include "numerics/elementary.h"
 #include "shell/grids/border_slide.h"
-#include "shell/grids/hole_places.h"
-#include "shell/grids/loop_turns.h"
+#include "shell/grids/laid_borders.h"
 #include "shell/grids/springs.h"
 
 namespace lpq {
 namespace {
-
-/// The nodes of the border's loops, the domain on their left; empty if something divides the
-/// inside.
-std::vector<LatticeLoop> loops_of(const BoundaryMesh& boundary) {
-  std::vector<Index> next(boundary.points.size(), none);
-  for (const Segment& edge : boundary.edges) {
-    const bool inside = edge.left != none && edge.right != none;
-    const Index from = edge.left != none ? edge.a : edge.b;
-    if (inside || next[from] != none) return {};
-    next[from] = edge.left != none ? edge.b : edge.a;
-  }
-  std::vector<LatticeLoop> loops;
-  std::vector<char> done(next.size(), 0);
-  for (std::size_t first = 0; first < next.size(); ++first) {
-    if (done[first]) continue;
-    loops.emplace_back();
-    for (auto v = static_cast<Index>(first); !done[v]; v = next[v]) {
-      if (next[v] == none) return {};
-      done[v] = 1;
-      loops.back().nodes.push_back(v);
-    }
-  }
-  return loops;
-}
-
-/// The direction that most of the border keeps, but for quarter turns.
-double axis_of(const BoundaryMesh& boundary) {
-  const auto square = [](Vec2 z) { return Vec2{z.x * z.x - z.y * z.y, 2 * z.x * z.y}; };
-  Vec2 sum;
-  for (const Segment& edge : boundary.edges) {
-    const Vec2 d = boundary.points[edge.b] - boundary.points[edge.a];
-    const double size = length(d);
-    sum += (1 / (size * size * size)) * square(square(d));
-  }
-  return arc_tangent(sum.y, sum.x) / 4;
-}
-
-/// Lays all loops, each beginning at {0, 0}, the outer one first. False if one does not close.
-bool lay_loops(const BoundaryMesh& boundary, std::vector<LatticeLoop>& loops) {
-  const double axis = axis_of(boundary);
-  std::vector<Vec2> points;
-  for (LatticeLoop& loop : loops) {
-    points.clear();
-    for (const Index v : loop.nodes) points.push_back(boundary.points[v]);
-    LatticePlace place;
-    for (const Index d : loop_turns(points, axis)) {
-      loop.places.push_back(place);
-      place = place + lattice_step(d);
-    }
-    if (loop.places.empty()) return false;
-    if (signed_area(points) > 0) std::swap(loops.front(), loop);
-  }
-  return !loops.empty();
-}
 
 constexpr double most_off = 1.5;
 
@@ -109,6 +52,20 @@ bool make_convex(QuadMesh& grid, const std::vector<LatticeLoop>& loops) {
   return left == 0 || (left <= most_left * faces && is_convex_after_sliding(grid, loops));
 }
 
+std::optional<QuadMesh> grid_between(const std::optional<LaidLoops>& laid,
+                                     const BoundaryMesh& boundary, double wanted) {
+  if (!laid) return std::nullopt;
+  const auto nodes = static_cast<Index>(boundary.points.size());
+  const auto border = static_cast<double>(boundary.edges.size());
+  // A face that fills less than a tenth of the lattice that it spans is no grid.
+  auto quads = lattice_quads(*laid, nodes, 10 * (wanted + border));
+  if (!quads || !is_near(static_cast<double>(quads->faces.size()), wanted, border))
+    return std::nullopt;
+  QuadMesh grid = in_the_plane(boundary, std::move(*quads));
+  if (!make_convex(grid, laid->loops)) return std::nullopt;
+  return grid;
+}
+
 }  // namespace
 
 bool touches_border(const QuadMesh& grid, const Face& face) {
@@ -117,19 +74,12 @@ bool touches_border(const QuadMesh& grid, const Face& face) {
 
 std::optional<QuadMesh> submapped_grid(const BoundaryMesh& boundary, const TriMesh& triangles,
                                        double wanted) {
-  std::vector<LatticeLoop> loops = loops_of(boundary);
-  if (!lay_loops(boundary, loops)) return std::nullopt;
-  const auto nodes = static_cast<Index>(boundary.points.size());
-  if (loops.size() > 1 && (triangles.fixed != nodes || !place_holes(triangles, loops)))
-    return std::nullopt;
-  const auto border = static_cast<double>(boundary.edges.size());
-  // A face that fills less than a tenth of the lattice that it spans is no grid.
-  auto quads = lattice_quads(loops, nodes, 10 * (wanted + border));
-  if (!quads || !is_near(static_cast<double>(quads->faces.size()), wanted, border))
-    return std::nullopt;
-  QuadMesh grid = in_the_plane(boundary, std::move(*quads));
-  if (!make_convex(grid, loops)) return std::nullopt;
-  return grid;
+  return grid_between(laid_in_plane(boundary, triangles), boundary, wanted);
+}
+
+std::optional<QuadMesh> ring_grid(const BoundaryMesh& boundary, const TriMesh& triangles,
+                                  double wanted) {
+  return grid_between(laid_round(boundary, triangles, wanted), boundary, wanted);
 }
 
 }  // namespace lpq

@@ -1,5 +1,5 @@
-// The plain pattern of a face whose border can be laid on a lattice: a grid from side to side, with
-// holes where the face has them.
+// The plain patterns of a face whose border can be laid on a lattice: grids from side to side, or
+// round a hole, with holes where the face has them.
 #pragma once
 
 #include <optional>
@@ -11,16 +11,19 @@
 namespace lpq {
 
 /// Submapping [WWBB96], in the unit frame: every loop of the border runs along the lines of a
-/// lattice (loop_turns.h), the holes lie where a harmonic map has them (hole_places.h), and the
-/// cells between the loops are the quads: no vertex inside is irregular. Each lies between its
-/// neighbours, or where its quads are convex. Up to 2 % of the quads may not be, for want of nodes
-/// opposite each other on the border, if they would be could these slide along it. None where a
-/// loop does not close on the lattice, loops touch there, something divides the inside or more
-/// quads are not convex; and none where far more or fewer quads are `wanted` (the integral of
-/// 1/h^2). `triangles`: of the domain, the nodes first; only holes need them. Cost that of sparse
-/// systems of #triangles and #quads.
+/// lattice (laid_in_plane), and the cells between the loops are the quads: no vertex inside is
+/// irregular. Each lies between its neighbours, or where its quads are convex. Up to 2 % of the
+/// quads may not be, for want of nodes opposite each other on the border, if they would be could
+/// these slide along it. None where a loop does not close on the lattice, loops touch there,
+/// something divides the inside or more quads are not convex; and none where far more or fewer
+/// quads are `wanted` (the integral of 1/h^2). `triangles`: of the domain, the nodes first; only
+/// holes need them. Cost that of sparse systems of #triangles and #quads.
 std::optional<QuadMesh> submapped_grid(const BoundaryMesh& boundary, const TriMesh& triangles,
                                        double wanted);
+
+/// The same on a lattice that goes round the largest hole (laid_round).
+std::optional<QuadMesh> ring_grid(const BoundaryMesh& boundary, const TriMesh& triangles,
+                                  double wanted);
 
 /// Is one of the face's corners a node of the border?
 bool touches_border(const QuadMesh& grid, const Face& face);

@@ -6,11 +6,14 @@
 #include "surface/charts/bff.h"
 #include "surface/charts/conformal.h"
 #include "surface/charts/dirichlet.h"
+#include "surface/charts/projection.h"
 #include "surface/frames.h"
 
 namespace lpq {
 namespace {
 
+// What a projection may do to lengths; more and other maps are better.
+constexpr MapLimits of_flat_part{.scale_range = 1.002, .anisotropy = 1.002};
 // Vertex values exaggerate what the triangles' scales will be.
 constexpr double early_margin = 1.5;
 // The iterations of the last resort are for small parts; large ones are split.
@@ -34,6 +37,8 @@ class Attempt {
   PartMap run(MapMethod last);
   /// One triangle is laid down as it is.
   PartMap lay_down();
+  /// Whether the part is flat.
+  bool project();
 
  private:
   bool solve(MapMethod method, const Intrinsic& disk);
@@ -76,6 +81,7 @@ bool Attempt::solve(MapMethod method, const Intrinsic& disk) {
       return map_.verdict == Verdict::flipped &&
              part_.triangle_count() <= most_iterated_triangles &&
              map_symmetric_dirichlet(mesh_, part_, map_.uv);
+    case MapMethod::projection:
     case MapMethod::none_found: break;
   }
   return false;
@@ -90,7 +96,14 @@ PartMap Attempt::lay_down() {
   return std::move(map_);
 }
 
+bool Attempt::project() {
+  if (!map_projection(mesh_, part_, map_.uv)) return false;
+  judge(MapMethod::projection);
+  return map_.verdict == Verdict::accepted && map_.check.within(of_flat_part);
+}
+
 PartMap Attempt::run(MapMethod last) {
+  if (project()) return std::move(map_);
   Intrinsic disk = intrinsic_of(mesh_, part_);
   flip_to_delaunay(disk);
   map_.verdict = Verdict::flipped;
