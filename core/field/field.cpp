@@ -16,6 +16,10 @@ constexpr double rim = 1e-12;
 // A walk longer than this is a bad hint; the locator's grid is cheaper.
 constexpr int longest_walk = 48;
 
+// Sine of an angle at a corner: a triangle of collinear corners, or a flatter one than rounding can
+// tell from that, is taken to be a little higher than it is, so that its values stay numbers.
+constexpr double flattest = 1e-15;
+
 double clamped(double value, double low, double high) {
   return std::min(std::max(value, low), high);
 }
@@ -61,7 +65,7 @@ void Fields::attach() {
     const auto [a, b, c] = background.triangles[t];
     const Vec2 o = background.points[a];
     const Vec2 e1 = background.points[b] - o, e2 = background.points[c] - o;
-    const double inverse = 1 / cross(e1, e2);
+    const double inverse = 1 / std::max(cross(e1, e2), flattest * length(e1) * length(e2));
     Cell& cell = cells_[t];
     cell.origin = o;
     cell.lambda_1 = {inverse * e2.y, -inverse * e2.x};

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 
+#include "base/function_ref.h"
 #include "base/hash.h"
 #include "base/words.h"
 #include "shell/place.h"
 #include "shell/quality.h"
+#include "shell/shape/descent.h"
+#include "shell/shape/short_sides.h"
 #include "shell/topology.h"
 #include "surface/curves.h"
 
@@ -72,27 +75,34 @@ Warning bent_quads(const ShellMesh& mesh, Index count) {
           {}};
 }
 
-/// Of narrow strips and folds of the surface, mostly.
-void warn_of_thin_quads(ShellOutcome& outcome) {
-  constexpr double thin = 0.02;  // eta
-  const std::vector<Vec3>& p = outcome.mesh.points;
+/// Told of quads for which `is_bad` holds.
+void warn_of_quads(ShellOutcome& outcome, const std::string& what,
+                   FunctionRef<bool(Index)> is_bad) {
   Index count = 0, first = none;
-  for (const Face& face : outcome.mesh.faces) {
-    if (corner_count(face) == 3) continue;
-    const auto [a, b, c, d] = face;
-    if (quad_eta(p[a], p[b], p[c], p[d]) >= thin || has_reflex_corner(p[a], p[b], p[c], p[d]))
-      continue;
-    if (count++ == 0) first = a;
-  }
+  for (Index f = 0; f < static_cast<Index>(outcome.mesh.faces.size()); ++f)
+    if (corner_count(outcome.mesh.faces[f]) == 4 && is_bad(f) && count++ == 0) first = f;
   if (count == 0) return;
+  const Vec3 at = outcome.mesh.points[outcome.mesh.faces[first][0]];
   outcome.report.warnings.push_back(
       {ErrorCode::bad_size,
-       "Quads with hardly any area (eta below " + short_number(thin) +
-           "): " + std::to_string(count) + ", the first near " +
-           place_in_space(p[first].x, p[first].y, p[first].z) +
+       "Quads with " + what + ": " + std::to_string(count) + ", the first near " +
+           place_in_space(at.x, at.y, at.z) +
            ". The surface has a strip or a fold there that is narrow for the size. Mend it, or use "
            "a smaller size.",
        {}});
+}
+
+/// Of narrow strips and folds of the surface, mostly.
+void warn_of_thin_quads(ShellOutcome& outcome) {
+  constexpr double thin = 0.02, vanished = 0.01;  // eta; of the longest side
+  const ShellMesh& mesh = outcome.mesh;
+  const auto is_thin = [&](Index f) {
+    const auto [a, b, c, d] = corners_of(mesh, f);
+    return quad_eta(a, b, c, d) < thin && !has_reflex_corner(a, b, c, d);
+  };
+  warn_of_quads(outcome, "hardly any area (eta below " + short_number(thin) + ")", is_thin);
+  warn_of_quads(outcome, "a side shorter than " + short_number(vanished) + " of the longest",
+                [&](Index f) { return has_short_side(mesh, f, vanished) && !is_thin(f); });
 }
 
 Index nearest_vertex(const ShellMesh& mesh, Vec3 p) {

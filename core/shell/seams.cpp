@@ -8,6 +8,8 @@
 #include "shell/coarse_ground.h"
 #include "shell/place.h"
 #include "shell/rework.h"
+#include "shell/shape/descent.h"
+#include "shell/shape/outside.h"
 #include "shell/stars.h"
 #include "shell/window.h"
 
@@ -53,6 +55,7 @@ class SeamFinisher::Run {
         barrier_(barrier_of(charted_)),
         balls_(charted_.mesh, barrier_),
         windows_(charted_.mesh, charted_.cross, charted_.size),
+        outside_(charted_.mesh, charted_.features, charted_.size),
         rim_(mesh_.points.size(), 0),
         seed_(options.seed) {
     for (std::size_t v = 0; v < charted_.nodes.points.size(); ++v) rim_[v] = !mesh_.pinned[v];
@@ -140,8 +143,11 @@ class SeamFinisher::Run {
       ++stats_.windows;
       const Vec3 centre = mesh_.points[v];
       if (auto quads = rework(*window, kind, options_, seed_++)) {
-        ++stats_.accepted;
-        put_back(*window, *quads);
+        const ShellMesh part = lifted(*window, *quads);
+        if (tangled(part) <= tangled_now(window->faces)) {
+          ++stats_.accepted;
+          put_back(*window, quads->fixed, part);
+        }
       }
       const auto is_covered = [&](Index w) {
         return distance(mesh_.points[w], centre) < covered_share * radius * h &&
@@ -158,26 +164,56 @@ class SeamFinisher::Run {
     return stats_.in_vain > most_in_vain * (charted_.mesh.triangle_count() + some_triangles);
   }
 
-  void put_back(const Window& window, const QuadMesh& quads) {
-    const Index face = mesh_.face[window.faces[0]];
+  /// The quads on the surface, each as a part of the window's face.
+  ShellMesh lifted(const Window& window, const QuadMesh& quads) const {
+    ShellMesh part;
+    Index hint = none;
+    for (std::size_t v = 0; v < quads.points.size(); ++v) {
+      const bool fixed = v < static_cast<std::size_t>(quads.fixed);
+      part.places.push_back(fixed ? mesh_.places[window.vertex[v]]
+                                  : place_on(window.chart, window.fields, quads.points[v], hint));
+      part.points.push_back(fixed ? mesh_.points[window.vertex[v]]
+                                  : point_at(charted_.mesh, part.places.back()));
+    }
+    part.faces = quads.faces;
+    part.face.assign(quads.faces.size(), mesh_.face[window.faces[0]]);
+    return part;
+  }
+
+  /// Quads that are not convex as the surface sees them: where it bends over itself within one, a
+  /// good quad in the plane may be none.
+  Index tangled(const ShellMesh& part) const {
+    Index count = 0;
+    for (Index f = 0; f < static_cast<Index>(part.faces.size()); ++f) count += is_tangled(part, f);
+    return count;
+  }
+  Index tangled_now(const std::vector<Index>& faces) const {
+    return static_cast<Index>(
+        std::count_if(faces.begin(), faces.end(), [&](Index f) { return is_tangled(mesh_, f); }));
+  }
+  bool is_tangled(const ShellMesh& mesh, Index f) const {
+    return !is_strictly_convex(corners_of(mesh, f), outside_.at(mesh, f));
+  }
+
+  /// `part`: lifted, the first `fixed` vertices are the window's own.
+  void put_back(const Window& window, Index fixed, const ShellMesh& part) {
     for (const Index f : window.faces) mesh_.faces[f] = {none, none, none, none};
     for (std::size_t v = window.quads.fixed; v < window.vertex.size(); ++v)
       mesh_.places[window.vertex[v]].triangle = none;
-    std::vector<Index> number(window.vertex.begin(), window.vertex.begin() + window.quads.fixed);
-    Index hint = none;
-    for (std::size_t v = quads.fixed; v < quads.points.size(); ++v) {
+    std::vector<Index> number(window.vertex.begin(), window.vertex.begin() + fixed);
+    for (std::size_t v = fixed; v < part.points.size(); ++v) {
       number.push_back(static_cast<Index>(mesh_.points.size()));
-      const SurfacePlace place = place_on(window.chart, window.fields, quads.points[v], hint);
-      mesh_.places.push_back(place);
-      mesh_.points.push_back(point_at(charted_.mesh, place));
+      mesh_.places.push_back(part.places[v]);
+      mesh_.points.push_back(part.points[v]);
       mesh_.pinned.push_back(0);
       rim_.push_back(0);
     }
     for (const Index v : window.vertex) rim_[v] = 0;
-    for (Index v = 0; v < quads.fixed; ++v) rim_[number[v]] = !mesh_.pinned[number[v]];
-    for (const Face& f : quads.faces) {
-      mesh_.faces.push_back({number[f[0]], number[f[1]], number[f[2]], number[f[3]]});
-      mesh_.face.push_back(face);
+    for (Index v = 0; v < fixed; ++v) rim_[number[v]] = !mesh_.pinned[number[v]];
+    for (std::size_t f = 0; f < part.faces.size(); ++f) {
+      const auto [a, b, c, d] = part.faces[f];
+      mesh_.faces.push_back({number[a], number[b], number[c], number[d]});
+      mesh_.face.push_back(part.face[f]);
     }
     stars_->update(mesh_);
   }
@@ -197,6 +233,7 @@ class SeamFinisher::Run {
   std::vector<char> barrier_;  // #half-edges
   BallFinder balls_;
   WindowMaker windows_;
+  Outside outside_;
   std::optional<ShellStars> stars_;  // of mesh_
   int pass_ = 0;
   std::vector<Index> wanted_;  // vertices that want a window in this pass, ascending

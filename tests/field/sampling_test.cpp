@@ -115,3 +115,26 @@ TEST_CASE("copies and moves sample their own background") {
     CHECK(s.h == before.h);
   }
 }
+
+TEST_CASE("a triangle whose area is rounded away has values") {
+  // Its cross product is 0 in doubles; beside it a wide one.
+  const double x = -0.01737584308700502, y = 0.0018810010044915206;
+  Fields fields;
+  fields.background.points = {{0, 0}, {x, y}, {2 * x, 2 * y}, {x, 1}};
+  fields.background.triangles = {{0, 1, 2}, {0, 3, 1}};
+  fields.background.twins = {5, none, none, none, none, 0};
+  fields.background.region = {0, 0};
+  fields.z.assign(4, {1, 0});
+  fields.h = {0.1, 0.2, 0.3, 0.2};
+  fields.attach();
+  for (Index start = 0; start < 2; ++start)
+    for (const Vec2 p :
+         {Vec2{0.5 * x, 0.5 * y}, Vec2{x, y}, Vec2{1.5 * x, 1.5 * y}, Vec2{x, 0.5}}) {
+      Index hint = start;
+      const FieldSample s = fields.sample(p, hint);
+      CHECK(is_finite(s.axis));
+      CHECK(is_finite(s.grad_log_h));
+      CHECK(s.h > 0.09);
+      CHECK(s.h < 0.31);
+    }
+}

@@ -17,6 +17,7 @@
 #include "shell/shape/cover.h"
 #include "shell/shape/freedom.h"
 #include "shell/shape/outside.h"
+#include "shell/shape/short_sides.h"
 #include "shell/shape/smoother.h"
 #include "support/optimise_shape.h"
 #include "support/surface_meshes.h"
@@ -420,4 +421,36 @@ TEST_CASE("acute corners of noise move along a crease, those of clean creases st
           Approx(nearest.x * std::sin(groove_angle) / std::cos(groove_angle)).margin(1e-12));
     CHECK((shell_quality(outcome.mesh).eta_min > 0.3) == rough);
   }
+}
+
+TEST_CASE("a side that has nearly vanished grows again") {
+  SurfaceSoup soup;
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  soup.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const double rest = GENERATE(1e-2, 1e-4, 1e-6);  // of the side
+  Meshed meshed(soup, 0.1);
+  const Charted charted = meshed.charted();
+  const ShapeGround ground(charted);
+  ShellMesh& mesh = meshed.mesh();
+  std::vector<VertexRole> roles = vertex_roles(charted, ground.tracks, mesh);
+  Index moved = none;
+  for (const Face& face : mesh.faces)
+    for (int k = 0; k < 4 && moved == none; ++k) {
+      const Index v = face[k], w = face[(k + 1) % 4];
+      if (mesh.pinned[v] || mesh.pinned[w]) continue;
+      if (mesh.places[v].triangle != mesh.places[w].triangle) continue;
+      moved = v;
+      for (int i = 0; i < 3; ++i)
+        mesh.places[v].weight[i] =
+            rest * mesh.places[v].weight[i] + (1 - rest) * mesh.places[w].weight[i];
+      mesh.points[v] = point_at(meshed.outcome.surface, mesh.places[v]);
+    }
+  REQUIRE(moved != none);
+  CHECK(lengthen_sides(ground, {}, mesh, roles) >= 1);
+  for (Index f = 0; f < static_cast<Index>(mesh.faces.size()); ++f) {
+    CHECK_FALSE(has_short_side(mesh, f, 0.05));
+    CHECK(signed_eta(ground, mesh, f) > 0.3);
+  }
+  CHECK(is_on_surface(meshed));
+  CHECK(lengthen_sides(ground, {}, mesh, roles) == 0);
 }

@@ -354,6 +354,13 @@ TEST_CASE("quads with hardly any area are told") {
   }
 }
 
+TEST_CASE("quads with a side of hardly any length are told") {
+  for (const double width : {0.002, 0.5}) {
+    const ShellOutcome outcome = meshed(box_soup({2, 2, width}, 1), {.size = 0.5});
+    CHECK(warns(outcome, "a side shorter than 0.01 of the longest") == (width < 0.005));
+  }
+}
+
 TEST_CASE("a tip thinner than every size ends in a plain reason, not in ever smaller quads") {
   const auto outcome = mesh_surface(needle_cone(0.05, 5, 24), {.size = 0.1});
   if (outcome.has_value()) {

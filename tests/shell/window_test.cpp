@@ -4,6 +4,7 @@
 
 #include "catch.h"
 #include "cleanup/ideal_valence.h"
+#include "numerics/elementary.h"
 #include "shell/chart_fields.h"
 #include "shell/mesh_surface.h"
 #include "shell/place.h"
@@ -24,6 +25,37 @@ bool is_disk(const SurfaceMesh& mesh, const Ball& ball) {
 
 bool contains(const Ball& ball, Index t) {
   return std::binary_search(ball.triangles.begin(), ball.triangles.end(), t);
+}
+
+/// Two discs of `n` corners and the band between them.
+SurfaceSoup thin_disc(Index n, double radius, double thickness) {
+  constexpr Index rings = 3;
+  SurfaceSoup soup;
+  for (const double z : {0.5 * thickness, -0.5 * thickness}) {
+    soup.points.push_back({0, 0, z});
+    for (Index ring = 1; ring <= rings; ++ring)
+      for (Index k = 0; k < n; ++k) {
+        const double angle = 2 * pi * k / n, r = radius * ring / rings;
+        soup.points.push_back({r * std::cos(angle), r * std::sin(angle), z});
+      }
+  }
+  const Index below = 1 + rings * n;
+  const auto both = [&](Index a, Index b, Index c) {
+    soup.triangles.push_back({a, b, c});
+    soup.triangles.push_back({below + c, below + b, below + a});
+  };
+  for (Index k = 0; k < n; ++k) {
+    const Index next = (k + 1) % n;
+    both(0, 1 + k, 1 + next);
+    for (Index a = 1 + k, b = 1 + next; a + n < below; a += n, b += n) {
+      both(a, a + n, b + n);
+      both(a, b + n, b);
+    }
+    const Index a = below - n + k, b = below - n + next;
+    soup.triangles.push_back({a, below + a, below + b});
+    soup.triangles.push_back({a, below + b, b});
+  }
+  return soup;
 }
 
 /// Marks the edges of a pipe that run along it at angle 0, between two shares of its height.
@@ -148,4 +180,13 @@ TEST_CASE("points beyond a chart's border go to its nearest point") {
       // The square is convex: nearest means that nothing lies further towards p.
       for (const Vec2 other : points) CHECK(dot(other - q, p - q) < 1e-9);
     }
+}
+
+TEST_CASE("windows over a thin rim leave no quad folded over it") {
+  // Two discs, far nearer to each other than quads are long, and the band between: no feature.
+  const auto disc = thin_disc(14, 10, 0.1);
+  const auto outcome = mesh_surface(disc, {.size = 0.8, .feature_angle = 100});
+  REQUIRE(outcome.has_value());
+  CHECK(outcome->report.quality.nonconvex == 0);
+  CHECK(outcome->report.quality.eta_min > 0.3);
 }

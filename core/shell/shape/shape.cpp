@@ -8,6 +8,7 @@
 
 #include "shell/shape/acute.h"
 #include "shell/shape/mend.h"
+#include "shell/shape/short_sides.h"
 #include "shell/shape/smoother.h"
 #include "shell/shape/tips.h"
 
@@ -190,6 +191,7 @@ class ShapeFinisher::Run {
     stats_.refilled += mender_->stats().refilled;
     mender_.reset();
     stats_.reached += reach_tips(charted_, ground_, options_, mesh_, roles_);
+    lengthen_sides(ground_, options_, mesh_, roles_);
     stats_.tangled_after = count_tangled(ground_, mesh_);
     part_ = Part::done;
     return false;
