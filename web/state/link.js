@@ -1,7 +1,7 @@
 // A project, and where its run stands, as the fragment of an address:
 //   #preset=plate&options=size:0.05,norm:2&layers=cells,density&tick=12&data=…
-// Everything that is as the preset has it is left out. What was drawn, painted or stroked is packed
-// in `data`. A fragment may be anybody's: it is judged before anything of it is used.
+// Everything that is as the preset has it is left out; without a preset and data it is the first
+// preset. What was drawn, painted or stroked is packed in `data`. A fragment may be anybody's: it is judged before anything of it is used.
 /** @import { Project } from '../types' */
 import { comparisons } from '../compare/comparisons.js';
 import { chapters } from '../learn/chapters.js';
@@ -29,6 +29,7 @@ const same = (a, b) => a === b || exactJson(a) === exactJson(b);
 export async function toFragment(project, { tick, chapter } = {}) {
   const from = base(project.preset);
   const data = Object.fromEntries(drawn.filter((name) => !same(project[name], from[name])).map((name) => [name, project[name]]));
+  if (project.preset === '') data.drawing = project.drawing;  // an empty one too: without, it would be the first preset's
   /** @type {Record<string, string | undefined>} */
   const parts = {
     preset: project.preset || undefined,
@@ -70,6 +71,16 @@ export async function fromFragment(fragment) {
   }
 }
 
+/** What changes a project and names none: in a chapter's address, that is its own. */
+const changing = ['name', 'options', 'layers', 'comparison'];
+
+/** @param {Map<string, string>} parts  @param {Place} place  @returns {string | null} the preset that is meant; '': the data is all, null: no project */
+function presetOf(parts, { chapter }) {
+  const id = parts.get('preset') ?? '';
+  if (id !== '' || parts.has('data')) return id;
+  return chapter === undefined && changing.some((name) => parts.has(name)) ? presets[0].id : null;
+}
+
 const names = ['preset', 'name', 'chapter', 'options', 'layers', 'comparison', 'tick', 'data'];
 
 /** @param {Map<string, string>} parts */
@@ -77,11 +88,11 @@ async function read(parts) {
   for (const name of parts.keys())
     if (!names.includes(name)) throw new judge.NotAProject(`it has an unknown part “${name.slice(0, 40)}”`);
   const place = readPlace(parts);
-  const id = judge.identifier(parts.get('preset') ?? '', 'the preset');
-  known('preset', id, presets);
+  const id = presetOf(parts, place);
+  known('preset', judge.identifier(id ?? '', 'the preset'), presets);
   known('chapter', place.chapter ?? '', chapters);
   known('comparison', parts.get('comparison') ?? '', comparisons);
-  if (id === '' && !parts.has('data')) return { project: null, place };
+  if (id === null) return { project: null, place };
   const packed = parts.get('data');
   const [name, options, layers, comparison] = ['name', 'options', 'layers', 'comparison'].map((part) => parts.get(part));
   const project = judge.project({
