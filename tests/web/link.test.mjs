@@ -79,7 +79,8 @@ test('options, layers or a comparison without a drawing are of the first preset'
 });
 
 test('an empty drawing comes back empty, whatever else was chosen', async () => {
-  for (const project of [emptyProject, { ...emptyProject, options: { size: 0.1 } }, { ...emptyProject, comparison: 'lp', layers: ['quads'] }])
+  assert.equal(await toFragment(emptyProject), '#');
+  for (const project of [{ ...emptyProject, options: { size: 0.1 } }, { ...emptyProject, comparison: 'lp', layers: ['quads'] }])
     assert.deepStrictEqual((await fromFragment(await toFragment(project))).project, project);
 });
 

@@ -19,6 +19,9 @@ export const longestLink = 8000;
 /** @type {(keyof Project)[]} */
 const drawn = ['drawing', 'sizes', 'guides', 'seedPoints'];
 
+/** What changes a project and names none. */
+const changing = ['name', 'options', 'layers', 'comparison'];
+
 /** @param {string} id  @returns {Project} */
 const base = (id) => presets.find((preset) => preset.id === id)?.project ?? emptyProject;
 
@@ -29,7 +32,6 @@ const same = (a, b) => a === b || exactJson(a) === exactJson(b);
 export async function toFragment(project, { tick, chapter } = {}) {
   const from = base(project.preset);
   const data = Object.fromEntries(drawn.filter((name) => !same(project[name], from[name])).map((name) => [name, project[name]]));
-  if (project.preset === '') data.drawing = project.drawing;  // an empty one too: without, it would be the first preset's
   /** @type {Record<string, string | undefined>} */
   const parts = {
     preset: project.preset || undefined,
@@ -39,8 +41,10 @@ export async function toFragment(project, { tick, chapter } = {}) {
     layers: same(project.layers, from.layers) ? undefined : String(project.layers),
     comparison: project.comparison === from.comparison ? undefined : project.comparison,
     tick: tick === undefined ? undefined : String(tick),
-    data: Object.keys(data).length > 0 ? await pack(exactJson(data)) : undefined,
   };
+  // An empty drawing is told, too, where the rest would be taken for the first preset's.
+  if (project.preset === '' && changing.some((name) => parts[name] !== undefined)) data.drawing = project.drawing;
+  if (Object.keys(data).length > 0) parts.data = await pack(exactJson(data));
   return '#' + Object.entries(parts).filter(([, value]) => value !== undefined).map(([name, value]) => `${name}=${value}`).join('&');
 }
 
@@ -71,10 +75,8 @@ export async function fromFragment(fragment) {
   }
 }
 
-/** What changes a project and names none: in a chapter's address, that is its own. */
-const changing = ['name', 'options', 'layers', 'comparison'];
-
-/** @param {Map<string, string>} parts  @param {Place} place  @returns {string | null} the preset that is meant; '': the data is all, null: no project */
+/** The preset that is meant; '': the data is all, null: no project, or that of the chapter.
+ * @param {Map<string, string>} parts  @param {Place} place */
 function presetOf(parts, { chapter }) {
   const id = parts.get('preset') ?? '';
   if (id !== '' || parts.has('data')) return id;
