@@ -163,6 +163,15 @@ for (const [width, height] of [[320, 740], [360, 640], [360, 740], [740, 360]])
     assert.ok(top >= 0 && bottom >= 0 && left >= 0, `${top} ${bottom} ${left}`);
   }));
 
+test('on a phone a tool says at once what it is for, however far down the tab was', () => onPage({ width: 360, height: 740, touch: true }, async (page) => {
+  const panel = page.locator('#panel-domain');
+  await panel.evaluate((body) => body.scrollTo(0, body.scrollHeight));
+  assert.ok(await panel.evaluate((body) => body.scrollTop) > 0);
+  await page.click('#tools [data-action="tool.polygon"]');
+  await page.getByRole('heading', { name: 'Outline by points' }).waitFor();
+  assert.equal(await panel.evaluate((body) => body.scrollTop), 0);
+}));
+
 test('turning a phone takes no focus away', () => onPage({ width: 1280, height: 800 }, async (page) => {
   await page.focus('[data-action="preset.gear"]');
   for (const [width, height] of [[360, 740], [1280, 800]]) {

@@ -1,7 +1,14 @@
 // What comes first in a tab where there is little room: on phones, upright or on their side. Their sheets of style have
 // the same condition.
 
-export const small = matchMedia('(max-width: 760px) and ((max-aspect-ratio: 6/5) or (max-width: 480px)), (max-height: 500px)');
+const small = matchMedia('(max-width: 760px) and ((max-aspect-ratio: 6/5) or (max-width: 480px)), (max-height: 500px)');
+
+/** And into sight, however far down the tab was. @param {HTMLElement} section */
+function toTop(section) {
+  const body = section.parentElement;
+  body?.prepend(section);
+  body?.scrollTo(0, 0);
+}
 
 /**
  * Keeps a section at the top of its tab where there is little room, else where it is now. Not by style alone: what is seen
@@ -16,7 +23,7 @@ export function firstWhereSmall(section, wanted = () => true) {
     const first = small.matches && wanted();
     if (first === (section.previousSibling !== place)) return;
     const focused = document.activeElement;
-    if (first) section.parentElement?.prepend(section);
+    if (first) toTop(section);
     else place.after(section);
     if (focused instanceof HTMLElement && section.contains(focused)) focused.focus();  // moving it took the focus away
   };
