@@ -32,6 +32,19 @@ test('a link opens its project, and the address bar follows', async () => {
   await page.context().close();
 });
 
+test('a link that names a comparison only opens it on the first domain', async () => {
+  const page = await playground.open({ hash: await toFragment(small) });
+  await count(page);
+  await page.evaluate(() => { location.hash = '#comparison=lp'; });
+  await page.locator('.differences').waitFor({ state: 'attached' });
+  await page.waitForFunction(() => globalThis.playground.led().every(({ run }) => run.phase === 'done') && globalThis.playground.led().length === 2);
+  assert.equal(await page.locator('#project-name').textContent(), presets[0].title);
+  await page.keyboard.press('Control+z');
+  assert.equal(await count(page), 'done: 25 quads');
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
 test('a link opens though the address bar has followed something else meanwhile', async () => {
   const page = await playground.open({ hash: await toFragment(small) });
   await count(page);

@@ -120,6 +120,67 @@ for (const width of [320, 768, 1440])
     }
   }));
 
+for (const [width, height] of [[320, 740], [360, 640], [360, 740], [390, 844], [740, 360], [844, 390]])
+  test(`a phone shows domains to begin with at once, and what a tool says once it is in hand: ${width} x ${height}`, () => onPage({ width, height, touch: true }, async (page) => {
+    const within = (place) => page.locator(place).first().evaluate((element) => {
+      const box = element.getBoundingClientRect(), panel = element.closest('.tab-body').getBoundingClientRect();
+      return box.height > 0 && box.top >= panel.top && box.bottom <= Math.min(panel.bottom, innerHeight) && box.left >= panel.left && box.right <= panel.right;
+    });
+    assert.ok(await within('.preset'), 'the first domain');
+    const last = page.locator('.preset').last();
+    await last.focus();  // and the others without going down
+    assert.equal(await page.locator('#panel-domain').evaluate((panel) => panel.scrollTop), 0);
+    await last.click();
+    await page.waitForFunction(() => globalThis.playground.store.project.preset === 'lines');
+    await page.click('#tools [data-action="tool.circle"]');
+    await page.getByRole('heading', { name: 'Circle' }).waitFor();
+    assert.ok(await within('.tool-section h2') && await within('.tool-section .hint'), 'what the tool says');
+    await page.click('#tools [data-action="tool.edit"]');
+    await page.getByRole('heading', { name: 'Edit' }).waitFor();
+    assert.ok(await within('.preset'), 'the first domain again');
+  }));
+
+for (const place of ['', 'space.html#preset=saddle&size=0.25'])
+  test(`the bar at the top is one row, with all of it in sight and large enough to hit: ${place || 'plane'}`, () => onPage({ hash: place, touch: true }, async (page) => {
+    for (const [width, height] of screens) {
+      await page.setViewportSize({ width, height });
+      const [bar, ...boxes] = await page.locator('header').evaluate((header) =>
+        [header, ...header.querySelectorAll('a, button')].map((one) => one.getBoundingClientRect().toJSON()));
+      assert.equal(new Set(boxes.map(({ top }) => Math.round(top))).size, 1, `${width} px: rows`);
+      for (const box of boxes) {
+        assert.ok(box.left >= 0 && box.right <= width && box.bottom <= bar.bottom, `${width} px: ${JSON.stringify(box)}`);
+        assert.ok(box.width >= 26 && box.height >= 44, `${width} px: ${box.width} x ${box.height}`);
+      }
+    }
+  }));
+
+for (const [width, height] of [[320, 740], [360, 640], [360, 740], [740, 360]])
+  test(`a phone shows surfaces to begin with at once: ${width} x ${height}`, () => onPage({ hash: 'space.html#preset=saddle&size=0.25', width, height, touch: true }, async (page) => {
+    const [top, bottom, left] = await page.locator('.space-presets button').first().evaluate((button) => {
+      const box = button.getBoundingClientRect(), panel = button.closest('.tab-body').getBoundingClientRect();
+      return [box.top - panel.top, panel.bottom - box.bottom, box.left - panel.left];
+    });
+    assert.ok(top >= 0 && bottom >= 0 && left >= 0, `${top} ${bottom} ${left}`);
+  }));
+
+test('on a phone a tool says at once what it is for, however far down the tab was', () => onPage({ width: 360, height: 740, touch: true }, async (page) => {
+  const panel = page.locator('#panel-domain');
+  await panel.evaluate((body) => body.scrollTo(0, body.scrollHeight));
+  assert.ok(await panel.evaluate((body) => body.scrollTop) > 0);
+  await page.click('#tools [data-action="tool.polygon"]');
+  await page.getByRole('heading', { name: 'Outline by points' }).waitFor();
+  assert.equal(await panel.evaluate((body) => body.scrollTop), 0);
+}));
+
+test('turning a phone takes no focus away', () => onPage({ width: 1280, height: 800 }, async (page) => {
+  await page.focus('[data-action="preset.gear"]');
+  for (const [width, height] of [[360, 740], [1280, 800]]) {
+    await page.setViewportSize({ width, height });
+    await page.waitForFunction((small) => (document.querySelector('.gallery').nextElementSibling !== null) === small, width < 400);
+    assert.equal(await page.evaluate(() => document.activeElement.dataset.action), 'preset.gear');
+  }
+}));
+
 test('the sign of a problem is beside its title', () => onPage({ hash: 'space.html#preset=saddle&size=0.25', width: 360, height: 740 }, async (page) => {
   await page.evaluate(() => globalThis.playground.store.change('Too small', { options: { size: 1e-9 } }));
   await page.locator('.error-bar:not([hidden])').waitFor();

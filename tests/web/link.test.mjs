@@ -69,6 +69,21 @@ test('a fragment without a project says so', async () => {
   assert.deepEqual(await fromFragment(''), { project: null, place: {} });
 });
 
+test('options, layers or a comparison without a drawing are of the first preset', async () => {
+  const of = async (fragment) => (await fromFragment(fragment)).project;
+  assert.deepStrictEqual(await of('#comparison=lp'), { ...preset, comparison: 'lp' });
+  assert.deepStrictEqual(await of('#options=size:0.1,norm:2'), { ...preset, options: { size: 0.1, norm: 2 } });
+  assert.deepStrictEqual(await of('#layers=cells'), { ...preset, layers: ['cells'] });
+  assert.deepEqual(await fromFragment('#options=size:0.1&tick=3'), { project: { ...preset, options: { size: 0.1 } }, place: { tick: 3 } });
+  await assert.rejects(of('#options=size:-1'), judge.NotAProject);
+});
+
+test('an empty drawing comes back empty, whatever else was chosen', async () => {
+  assert.equal(await toFragment(emptyProject), '#');
+  for (const project of [{ ...emptyProject, options: { size: 0.1 } }, { ...emptyProject, comparison: 'lp', layers: ['quads'] }])
+    assert.deepStrictEqual((await fromFragment(await toFragment(project))).project, project);
+});
+
 const packed = async (value) => `#data=${await pack(typeof value === 'string' ? value : JSON.stringify(value))}`;
 const loops = (...loop) => ({ drawing: { regions: [{ name: '', loops: [loop] }] } });
 

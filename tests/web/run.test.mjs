@@ -38,13 +38,18 @@ test('opens on cells that settle and become quads, without a click', async () =>
   await page.context().close();
 });
 
-test('with reduced motion the mesh is there at once, and can be scrubbed', async () => {
+test('with reduced motion stages are shown without moving, then the mesh, and it can be scrubbed', async () => {
   const page = await playground.open({ still: true, watch: ({ runner }) => {
-    globalThis.seen = new Set();
-    runner.subscribe(({ frame }) => { if (frame) globalThis.seen.add(frame.tick); });
+    globalThis.seen = new Map();
+    runner.subscribe(({ frame }) => {
+      if (frame && !globalThis.seen.has(frame.tick)) globalThis.seen.set(frame.tick, { stage: frame.stage, iteration: frame.iteration, at: performance.now() });
+    });
   } });
   await finished(page);
-  assert.equal(await page.evaluate(() => globalThis.seen.size), 1);
+  const [first, ...rest] = await page.evaluate(() => [...globalThis.seen.values()]);
+  assert.deepEqual([first.stage, first.iteration], ['optimise', 0]);  // the triangulation
+  assert.equal(rest.pop().stage, 'done');
+  rest.forEach(({ at }, i) => assert.ok(at - (i === 0 ? first : rest[i - 1]).at > 1500, 'a film'));  // of a slow machine only
   await page.locator('#tick').focus();
   await page.keyboard.press('Home');
   await shows(page, 'cross field');

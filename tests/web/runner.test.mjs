@@ -84,6 +84,29 @@ test('the end is the same whichever way it was reached', async () => {
   assert.equal(winding.run.result.report.hash, straight.run.result.report.hash);
 });
 
+/** Ticks of the pictures that a run to the end takes, by a clock that goes so many milliseconds forth whenever it is read. */
+async function looksOf(still, milliseconds) {
+  let time = 0;
+  const runner = new Runner(realEngine, { pace: new Pace(() => time += milliseconds) }), frames = new Map();
+  runner.still = still;
+  runner.subscribe(({ frame }) => { if (frame) frames.set(frame.tick, frame); });
+  await runner.load(plate, { going: 'end' });
+  return [...frames.values()];
+}
+
+for (const still of [false, true])
+  test(`a stage without a picture gets the triangulation first, and a quick run no other: ${still ? 'still' : 'moving'}`, async () => {
+    const [first, last, ...more] = await looksOf(still, 0);
+    assert.deepEqual([first.stage, first.iteration, last.stage], ['optimise', 0, 'done']);
+    assert.deepEqual(more, []);
+  });
+
+test('where motion is unwanted a slow run is seen at a few states, far fewer than else', async () => {
+  const [moving, still] = [await looksOf(false, 300), await looksOf(true, 300)];
+  assert.ok(still.length > 2, `${still.length} pictures`);
+  assert.ok(moving.length >= 2 * still.length, `${moving.length} and ${still.length} pictures`);
+});
+
 test('of many places sought at once the last is where it ends', async () => {
   const runner = makeRunner();
   await runner.load(plate, { going: 'end' });

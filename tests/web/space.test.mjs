@@ -229,6 +229,7 @@ test('the run is told in words and as a share', () => {
 test('the run says how it ended: with how many quads, or why without', () => {
   const run = { phase: 'done', state: { stage: 'done' }, result: { report: { quads: 2998 } }, error: null };
   assert.equal(stageInWords(run), 'done: 2,998 quads');
+  assert.equal(stageInWords({ ...run, phase: 'running', result: null, state: { stage: 'done', share: 0 } }), 'measuring the mesh');
   assert.equal(stageInWords({ ...run, phase: 'failed', error: { code: 'TOO_MANY_ELEMENTS' } }), 'failed: this mesh would have too many elements');
   assert.equal(stageInWords({ ...run, phase: 'failed', error: { code: 'ZERO_AREA' } }), 'failed: this surface has no area');
 });

@@ -25,7 +25,8 @@ const nothing = {
 
 const chunk = 8;         // ticks between which a long way can be left
 const firstLook = 800;   // milliseconds on the way to the end before pictures are taken,
-const nextLook = 200;    // and between them
+const nextLook = 200;    // and between them,
+const calmLook = 2000;   // so that nothing seems to move
 
 export class Runner {
   #workplace;
@@ -48,7 +49,7 @@ export class Runner {
   run = nothing;
   /** How fast a run plays; 1 takes some seconds. */
   speed = 1;
-  /** No pictures on the way to the end. */
+  /** Few pictures on the way to the end, and far apart: motion is unwanted. */
   still = false;
   /** @type {() => Project['layers']} */
   wantedLayers = () => 'auto';
@@ -230,7 +231,8 @@ export class Runner {
     await this.#step(session, session.state.stage === 'optimise' ? chunk : 1, current);
     if (!current()) return;
     const { stage } = session.state;
-    if (stage === 'done' || (!this.still && this.#pace.now() > this.#lookAt)) await this.#look(session, current);
+    const first = this.run.frame === null && stage !== 'seeds';  // an empty stage tells nothing
+    if (stage === 'done' || first || this.#pace.now() > this.#lookAt) await this.#look(session, current);
     else this.#become(this.#seen(session.state));
   }
 
@@ -257,7 +259,7 @@ export class Runner {
     const { state } = session;
     const frame = await session.snapshot(neededFor(this.wantedLayers(), state));
     if (!current()) return;
-    this.#lookAt = this.#pace.now() + nextLook;
+    this.#lookAt = this.#pace.now() + (this.still ? calmLook : nextLook);
     this.#become({ frame, frameOf: this.run.project, ...this.#seen(state) });
   }
 

@@ -1,11 +1,12 @@
 // The Domain tab: the numbers of the tool in hand and of what is chosen, snapping, and domains to
-// begin with.
+// begin with. Where there is little room those come first, or the tool that something is drawn with.
 /** @import { App } from '../app' */
 /** @import { Field } from './fields.js' */
 /** @import { Sketch } from './sketch.js' */
 /** @import { Tools } from './tools.js' */
 import { h } from '../panels/dom.js';
 import { atNextPicture } from '../panels/next_picture.js';
+import { firstWhereSmall } from '../panels/small.js';
 import { numberField } from './fields.js';
 import { createGallery } from './gallery.js';
 import { selectionSection } from './selection_fields.js';
@@ -17,6 +18,7 @@ export function installDomainTab(app, sketch, tools) {
   const tool = h('section', { className: 'tool-section', 'aria-label': 'Tool in hand' });
   const selection = selectionSection(app, sketch);
   const snapping = snapSection(app, sketch);
+  const gallery = createGallery(app);
   /** @type {Field[]} */
   let fields = [];
   let shown = '';
@@ -28,6 +30,7 @@ export function installDomainTab(app, sketch, tools) {
       const made = toolFields(app, sketch, tools, entry.tool.id);
       fields = made.fields;
       tool.replaceChildren(h('h2', null, entry.label), h('p', { className: 'hint' }, entry.hint), ...made.content);
+      for (const place of places) place();
     }
     selection.element.hidden = shown !== 'edit';
     for (const field of fields) field.refresh();
@@ -40,8 +43,9 @@ export function installDomainTab(app, sketch, tools) {
   app.store.subscribe(soon);
   app.tabs.add('domain', 'Domain',
     h('div', { className: 'buttons' }, actions.button('file.open', { labelled: true }), actions.button('sketch.empty', { labelled: true })),
-    tool, selection.element, snapping.element,
-    createGallery(app));
+    tool, selection.element, snapping.element, gallery);
+  const editing = () => stage.tool.id === 'edit';
+  const places = [firstWhereSmall(gallery, editing), firstWhereSmall(tool, () => !editing())];
   refresh();
 }
 

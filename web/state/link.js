@@ -1,7 +1,7 @@
 // A project, and where its run stands, as the fragment of an address:
 //   #preset=plate&options=size:0.05,norm:2&layers=cells,density&tick=12&data=…
-// Everything that is as the preset has it is left out. What was drawn, painted or stroked is packed
-// in `data`. A fragment may be anybody's: it is judged before anything of it is used.
+// Everything that is as the preset has it is left out; without a preset and data it is the first
+// preset. What was drawn, painted or stroked is packed in `data`. A fragment may be anybody's: it is judged before anything of it is used.
 /** @import { Project } from '../types' */
 import { comparisons } from '../compare/comparisons.js';
 import { chapters } from '../learn/chapters.js';
@@ -18,6 +18,9 @@ export const longestLink = 8000;
 
 /** @type {(keyof Project)[]} */
 const drawn = ['drawing', 'sizes', 'guides', 'seedPoints'];
+
+/** What changes a project and names none. */
+const changing = ['name', 'options', 'layers', 'comparison'];
 
 /** @param {string} id  @returns {Project} */
 const base = (id) => presets.find((preset) => preset.id === id)?.project ?? emptyProject;
@@ -38,8 +41,10 @@ export async function toFragment(project, { tick, chapter } = {}) {
     layers: same(project.layers, from.layers) ? undefined : String(project.layers),
     comparison: project.comparison === from.comparison ? undefined : project.comparison,
     tick: tick === undefined ? undefined : String(tick),
-    data: Object.keys(data).length > 0 ? await pack(exactJson(data)) : undefined,
   };
+  // An empty drawing is told, too, where the rest would be taken for the first preset's.
+  if (project.preset === '' && changing.some((name) => parts[name] !== undefined)) data.drawing = project.drawing;
+  if (Object.keys(data).length > 0) parts.data = await pack(exactJson(data));
   return '#' + Object.entries(parts).filter(([, value]) => value !== undefined).map(([name, value]) => `${name}=${value}`).join('&');
 }
 
@@ -70,6 +75,14 @@ export async function fromFragment(fragment) {
   }
 }
 
+/** The preset that is meant; '': the data is all, null: no project, or that of the chapter.
+ * @param {Map<string, string>} parts  @param {Place} place */
+function presetOf(parts, { chapter }) {
+  const id = parts.get('preset') ?? '';
+  if (id !== '' || parts.has('data')) return id;
+  return chapter === undefined && changing.some((name) => parts.has(name)) ? presets[0].id : null;
+}
+
 const names = ['preset', 'name', 'chapter', 'options', 'layers', 'comparison', 'tick', 'data'];
 
 /** @param {Map<string, string>} parts */
@@ -77,11 +90,11 @@ async function read(parts) {
   for (const name of parts.keys())
     if (!names.includes(name)) throw new judge.NotAProject(`it has an unknown part “${name.slice(0, 40)}”`);
   const place = readPlace(parts);
-  const id = judge.identifier(parts.get('preset') ?? '', 'the preset');
-  known('preset', id, presets);
+  const id = presetOf(parts, place);
+  known('preset', judge.identifier(id ?? '', 'the preset'), presets);
   known('chapter', place.chapter ?? '', chapters);
   known('comparison', parts.get('comparison') ?? '', comparisons);
-  if (id === '' && !parts.has('data')) return { project: null, place };
+  if (id === null) return { project: null, place };
   const packed = parts.get('data');
   const [name, options, layers, comparison] = ['name', 'options', 'layers', 'comparison'].map((part) => parts.get(part));
   const project = judge.project({

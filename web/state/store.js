@@ -1,13 +1,18 @@
 // The one place where the project lives, with everything it was before. Changes make new objects;
 // undo is going back to an old one.
+import { weightBeside } from './weight.js';
 
 const remembered = 500;  // states; they share what did not change
+const mostBytes = 1e8;   // of what they do not share: a phone has some hundred megabytes for a page
+
+/** What undo or redo comes back to. `bytes`: what would be free without it.
+ * @template P  @typedef {{label: string, project: P, bytes: number}} Step */
 
 /** @template {object} P  of plain values */
 export class Store {
-  /** @type {{label: string, project: P}[]} */
+  /** @type {Step<P>[]} */
   #past = [];
-  /** @type {{label: string, project: P}[]} */
+  /** @type {Step<P>[]} */
   #future = [];
   /** @type {P} */
   #project;
@@ -42,13 +47,19 @@ export class Store {
     const before = this.#project;
     const part = typeof change === 'function' ? change(before) : change;
     if (Object.keys(part).every((key) => part[/** @type {keyof P} */ (key)] === before[/** @type {keyof P} */ (key)])) return;
-    if (gesture === '' || gesture !== this.#merging) {
-      this.#past.push({ label, project: before });
-      if (this.#past.length > remembered) this.#past.shift();
-    }
+    if (gesture === '' || gesture !== this.#merging) this.#remember(label, before);
     this.#merging = gesture;
     this.#future.length = 0;
     this.#become({ ...before, ...part });
+  }
+
+  /** The newest step stays, however large. @param {string} label  @param {P} project */
+  #remember(label, project) {
+    const last = this.#past.at(-1);
+    if (last) last.bytes = weightBeside(last.project, project);  // not before: a gesture may have gone on
+    this.#past.push({ label, project, bytes: 0 });
+    let bytes = this.#past.reduce((sum, step) => sum + step.bytes, 0);
+    while (this.#past.length > remembered || (bytes > mostBytes && this.#past.length > 1)) bytes -= this.#past.shift()?.bytes ?? 0;
   }
 
   /** The gesture under way, '' between gestures: what changes meanwhile will change again. */
@@ -64,11 +75,11 @@ export class Store {
   undo() { this.#travel(this.#past, this.#future); }
   redo() { this.#travel(this.#future, this.#past); }
 
-  /** @param {{label: string, project: P}[]} from  @param {{label: string, project: P}[]} to */
+  /** @param {Step<P>[]} from  @param {Step<P>[]} to */
   #travel(from, to) {
     const step = from.pop();
     if (step === undefined) return;
-    to.push({ label: step.label, project: this.#project });
+    to.push({ label: step.label, project: this.#project, bytes: weightBeside(this.#project, step.project) });
     this.#merging = '';
     this.#become(step.project);
   }

@@ -2,6 +2,7 @@
 /** @import { SpaceApp, SurfaceRun } from '../types' */
 import { once } from '../../draw/once.js';
 import { h } from '../../panels/dom.js';
+import { firstWhereSmall } from '../../panels/small.js';
 import { licences, source } from '../cad/files.js';
 import { presetWork } from '../model/link.js';
 import { presets } from '../presets/presets.js';
@@ -16,16 +17,18 @@ export function installSurfaceTab(app) {
     } });
   const facts = h('dl', { className: 'numbers-list' });
   const repairs = h('ul', { className: 'warnings' });
-  app.tabs.add('surface', 'Surface',
-    h('p', { className: 'quiet' }, 'Drop a file here: STL, OBJ, PLY, OFF, Gmsh triangles, STEP, IGES or BREP.'),
-    h('div', { className: 'buttons' }, actions.button('file.open', { labelled: true })), aboutCad(),
-    h('h2', null, 'To begin with'),
+  const begin = h('section', { 'aria-label': 'Surfaces to begin with' }, h('h2', null, 'To begin with'),
     h('ul', { className: 'space-presets' }, ...presets.map(({ id, title, about }) => {
       const button = actions.button(`preset.${id}`);
       button.replaceChildren(h('strong', null, title), h('span', { className: 'quiet' }, about));
       return h('li', null, button);
-    })),
+    })));
+  app.tabs.add('surface', 'Surface',
+    h('p', { className: 'quiet' }, 'Drop a file here: STL, OBJ, PLY, OFF, Gmsh triangles, STEP, IGES or BREP.'),
+    h('div', { className: 'buttons' }, actions.button('file.open', { labelled: true })), aboutCad(),
+    begin,
     h('h2', null, 'This surface'), facts, repairs);
+  firstWhereSmall(begin);
   const refresh = () => {
     facts.replaceChildren(...factsOf(app, runner.run).map(([name, value]) =>
       h('div', null, h('dt', null, name), h('dd', { className: 'numbers' }, value))));

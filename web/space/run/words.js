@@ -31,7 +31,8 @@ export function stageInWords({ phase, state, error, paused, result }) {
   if (phase === 'idle' || state === null) return phase === 'idle' ? 'nothing to mesh yet' : 'preparing the surface';
   if (phase === 'done') return result === null ? 'done' : `done: ${counted(result.report.quads, 'quad')}`;
   const charts = state.stage === 'mesh' ? `: ${state.chart} of ${state.chartCount}` : '';
-  return `${names[state.stage]}${charts}${paused ? ' (paused)' : ''}`;
+  const name = state.stage === 'done' ? stageNames.summary : names[state.stage];  // the result is still to come
+  return `${name}${charts}${paused ? ' (paused)' : ''}`;
 }
 
 /** In the middle of a sentence. @param {string} code */
