@@ -226,6 +226,15 @@ TEST_CASE("what is not drawn, not filled or not closed") {
   CHECK(closed.warnings.size() == 1);
 }
 
+TEST_CASE("relative commands that come back but for rounding close without an edge") {
+  // 0.1 + 0.2 - 0.3 is not 0 in doubles.
+  const auto file = read_svg("<path d='M17.5 6.1l.1 2h.2l-.3-2zM0 0v9h20v-9z'/>");
+  REQUIRE(file.domain.regions.size() == 1);
+  REQUIRE(file.domain.regions[0].loops.size() == 2);
+  CHECK(file.domain.regions[0].loops[0].size() + file.domain.regions[0].loops[1].size() == 7);
+  CHECK(file.warnings.empty());
+}
+
 TEST_CASE("what is hidden is not drawn, and visibility can come back inside") {
   const auto holes = [](const std::string& content) {
     const auto file = read_svg("<rect width='9' height='9'/>" + content);

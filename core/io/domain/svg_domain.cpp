@@ -32,6 +32,14 @@ class SvgReader {
   DomainFile file_;
 };
 
+/// Relative commands that lead back to the start end beside it, by what rounding adds up to: that
+/// is no edge.
+void drop_rounded_end(double size, std::vector<Vec2>& points) {
+  constexpr double rounding = 1e-11;
+  while (points.size() > 3 && distance(points.front(), points.back()) <= rounding * size)
+    points.pop_back();
+}
+
 void SvgReader::flatten() {
   Box box = empty_box();
   for (const SvgOutline& outline : found_.outlines) outline.path.curve.extend(box);
@@ -46,6 +54,7 @@ void SvgReader::flatten() {
       closed = true;  // as filling does (SVG 1.1, 11.3)
       if (!(points.front() == points.back())) ++closed_by_fill_;
     }
+    if (closed) drop_rounded_end(length(box.hi - box.lo), points);
     drawing_.lines.add(points, closed, outline.source);
     outline.path.curve = CurvePath();
   }
