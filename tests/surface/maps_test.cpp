@@ -140,6 +140,7 @@ TEST_CASE("what is not flat is not projected") {
     bool solved = false;
     return map_part(mesh, whole(mesh), {}, MapMethod::bff, solved).method;
   };
+  CHECK(method_of(0) == MapMethod::bff);  // which keeps all lengths then
   CHECK(method_of(1e-5) == MapMethod::projection);
   CHECK(method_of(1e-2) == MapMethod::bff);
 }

@@ -8,10 +8,10 @@
 namespace lpq {
 namespace {
 
-constexpr double short_share = 0.05;
+constexpr double short_share = 0.05, enough = short_share * short_share;
 constexpr int rings = 2, steps = 30, most_rounds = 8;
 constexpr double poor = 0.3;  // eta
-constexpr double least_gain = 1.1;
+constexpr double least_flatness = 0.7;
 
 /// Squared, of the sides of all faces over the longest of the face.
 double shortest_share(const ShellMesh& mesh) {
@@ -23,18 +23,22 @@ double shortest_share(const ShellMesh& mesh) {
   return share;
 }
 
+/// Does the surface bend little enough within each face that it is seen from one side?
+bool is_plain(const ShapeGround& ground, const ShellMesh& mesh) {
+  for (Index f = 0; f < static_cast<Index>(mesh.faces.size()); ++f)
+    if (ground.outside.flatness(mesh, f) < least_flatness) return false;
+  return true;
+}
+
 bool lengthen(const ShapeGround& ground, const SmoothOptions& options, ShapePatch& patch) {
   ShapeSmoother smoother(ground, patch.roles, options, patch.mesh);
   const ShapeSmoother::Verdict before = smoother.verdict();
-  const double share = shortest_share(patch.mesh);
-  for (int round = 0; round < most_rounds; ++round) {
+  if (before.worst < 0 || !is_plain(ground, patch.mesh)) return false;
+  for (int round = 0; round < most_rounds && shortest_share(patch.mesh) < enough; ++round)
     smoother.descend_mean_ratio(smoother.part_above(0), steps, 0);
-    if (shortest_share(patch.mesh) >= short_share * short_share) break;
-  }
   patch.roles = smoother.freedom().roles();
-  const ShapeSmoother::Verdict after = smoother.verdict();
-  return after.tangled <= before.tangled && after.worst >= std::min(poor, before.worst) &&
-         shortest_share(patch.mesh) > least_gain * share;
+  return shortest_share(patch.mesh) >= enough &&
+         smoother.verdict().worst >= std::min(poor, before.worst);
 }
 
 }  // namespace

@@ -10,9 +10,10 @@ namespace lpq {
 bool has_short_side(const ShellMesh& mesh, Index f, double share);
 
 /// Where a quad has a side of less than a twentieth of its longest, it and those around it go where
-/// their mean ratios are best, which see sides as well as angles. Only if the shortest side there
-/// grows, no more quads are tangled, and none gets poor or worse than the worst one was. Returns in
-/// how many places. Cost O(1) for each such quad, beside O(#F).
+/// their mean ratios are best, which see sides as well as angles. Only where the surface bends
+/// little and no quad is tangled, if all such sides there grow to that length, and no quad gets
+/// poor or worse than the worst one was: in a strip that is narrow for the size they cannot.
+/// Returns in how many places. Cost O(1) for each such quad, beside O(#F).
 Index lengthen_sides(const ShapeGround& ground, const SmoothOptions& options, ShellMesh& mesh,
                      std::vector<VertexRole>& roles);
 

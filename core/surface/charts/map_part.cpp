@@ -1,5 +1,7 @@
 #include "surface/charts/map_part.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "numerics/elementary.h"
@@ -14,6 +16,7 @@ namespace {
 
 // What a projection may do to lengths; more and other maps are better.
 constexpr MapLimits of_flat_part{.scale_range = 1.002, .anisotropy = 1.002};
+constexpr double rounding = 1e-9;  // of the longest edge
 // Vertex values exaggerate what the triangles' scales will be.
 constexpr double early_margin = 1.5;
 // The iterations of the last resort are for small parts; large ones are split.
@@ -37,10 +40,12 @@ class Attempt {
   PartMap run(MapMethod last);
   /// One triangle is laid down as it is.
   PartMap lay_down();
-  /// Whether the part is flat.
-  bool project();
 
  private:
+  void try_methods(MapMethod last);
+  bool keeps_lengths() const;
+  /// Whether the part is flat.
+  bool project();
   bool solve(MapMethod method, const Intrinsic& disk);
   void judge(MapMethod method);
   // No other method needs to be asked: the map is good, or conformal and still distorted.
@@ -102,8 +107,25 @@ bool Attempt::project() {
   return map_.verdict == Verdict::accepted && map_.check.within(of_flat_part);
 }
 
+/// Does the map keep all lengths? Needles in flat parts can spoil it for the others.
+bool Attempt::keeps_lengths() const {
+  double most = 0, longest = 0;
+  for (Index e = 0; e < static_cast<Index>(part_.length.size()); ++e) {
+    const double in_plane = distance(map_.uv[part_.origin(e)], map_.uv[part_.target(e)]);
+    most = std::max(most, std::fabs(in_plane - part_.length[e]));
+    longest = std::max(longest, part_.length[e]);
+  }
+  return most < rounding * longest;
+}
+
 PartMap Attempt::run(MapMethod last) {
-  if (project()) return std::move(map_);
+  try_methods(last);
+  if (map_.verdict == Verdict::accepted && keeps_lengths()) return std::move(map_);
+  PartMap found = map_;
+  return project() ? std::move(map_) : std::move(found);
+}
+
+void Attempt::try_methods(MapMethod last) {
   Intrinsic disk = intrinsic_of(mesh_, part_);
   flip_to_delaunay(disk);
   map_.verdict = Verdict::flipped;
@@ -112,7 +134,6 @@ PartMap Attempt::run(MapMethod last) {
     if (solve(method, disk)) judge(method);
     if (decided() || method == last) break;
   }
-  return std::move(map_);
 }
 
 }  // namespace

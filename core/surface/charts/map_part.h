@@ -8,7 +8,7 @@
 
 namespace lpq {
 
-enum class MapMethod { projection, bff, lscm, scp, symmetric_dirichlet, none_found };
+enum class MapMethod { bff, lscm, scp, symmetric_dirichlet, projection, none_found };
 
 enum class Verdict {
   accepted,
@@ -25,9 +25,10 @@ struct PartMap {
   MapCheck check;
 };
 
-/// Tries the methods up to `last` in their order above: flat parts are projected, for others those
-/// after the second are asked only where a map is not injective. Tells hopeless parts early:
-/// `solved` says whether a system was solved.
+/// Tries the methods up to `last` in their order above; those after the first are asked only where
+/// a map is not injective. Where the map does not keep all lengths although the part is flat, for
+/// needles in it, the part is projected. Tells hopeless parts early: `solved` says whether a system
+/// was solved.
 PartMap map_part(const SurfaceMesh& mesh, const Part& part, const MapLimits& limits, MapMethod last,
                  bool& solved);
 

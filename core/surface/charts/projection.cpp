@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surface/charts/checks.h"
+
 namespace lpq {
 namespace {
 
-constexpr double most_height = 1e-3;
+constexpr double most_height = 1e-3, least_gap = 1e-9;
 
 Index longest_edge(const Part& part) {
   const auto longer = [&](Index e, Index f) { return part.length[e] < part.length[f]; };
@@ -39,7 +41,7 @@ bool map_projection(const SurfaceMesh& mesh, const Part& part, std::vector<Vec2>
   // Nothing is far smaller than the part: what is zero but for rounding comes out as zero.
   const double base = 4 * reach;
   for (Vec2& p : uv) p = {(p.x + base) - base, (p.y + base) - base};
-  return high - low <= most_height * reach;
+  return high - low <= most_height * reach && !borders_touch(part, uv, least_gap * reach);
 }
 
 }  // namespace lpq
