@@ -158,7 +158,7 @@ void sweep(Index least, Index most) {
     INFO(file);
     for (const Chart& chart : checked_charts(mesh, sharp_edges(mesh)).charts) {
       ++charts;
-      conformal += chart.method <= MapMethod::lscm || chart.method == MapMethod::projection;
+      conformal += chart.method == MapMethod::bff || chart.method == MapMethod::lscm;
     }
   }
   CHECK(conformal >= 0.99 * charts);

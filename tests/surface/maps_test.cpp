@@ -10,7 +10,6 @@
 #include "surface/charts/checks.h"
 #include "surface/charts/conformal.h"
 #include "surface/charts/dirichlet.h"
-#include "surface/charts/map_part.h"
 #include "surface/charts/split.h"
 
 using namespace lpq;
@@ -113,36 +112,6 @@ TEST_CASE("what unrolls is unrolled") {
   CHECK(worst_length_error(opened(tube), bff_of(tube, opened(tube))) < 1e-9);
   const SurfaceMesh hat = cone(40, 20, 0.5, 2, 0.6);
   CHECK(worst_length_error(opened(hat), bff_of(hat, opened(hat))) < 1e-9);
-}
-
-TEST_CASE("flat parts are projected, needles and all") {
-  const Vec3 x{0.6, 0, 0.8}, y{0, 1, 0};  // any plane
-  // Rows as thin as CAD has them beside wide ones; a zero that is one but for rounding.
-  const SurfaceMesh mesh = grid_surface(8, 6, [&](double u, double v) {
-    return Vec3{1e-40, 5, 0} + 3 * u * x + (v < 0.3 ? 1e-7 * v : v) * y;
-  });
-  const Part part = whole(mesh);
-  bool solved = false;
-  const PartMap map = map_part(mesh, part, {}, MapMethod::bff, solved);
-  REQUIRE(map.verdict == Verdict::accepted);
-  CHECK(map.method == MapMethod::projection);
-  CHECK(count_flipped(part, map.uv) == 0);
-  for (Index e = 0; e < static_cast<Index>(part.twins.size()); ++e)
-    CHECK(distance(map.uv[part.origin(e)], map.uv[part.target(e)]) ==
-          Approx(part.length[e]).margin(1e-14));
-  for (const Vec2 p : map.uv)
-    for (const double c : {p.x, p.y}) CHECK((c == 0 || std::abs(c) > 1e-16));
-}
-
-TEST_CASE("what is not flat is not projected") {
-  const auto method_of = [](double height) {
-    const SurfaceMesh mesh = rough_square(12, height);
-    bool solved = false;
-    return map_part(mesh, whole(mesh), {}, MapMethod::bff, solved).method;
-  };
-  CHECK(method_of(0) == MapMethod::bff);  // which keeps all lengths then
-  CHECK(method_of(1e-5) == MapMethod::projection);
-  CHECK(method_of(1e-2) == MapMethod::bff);
 }
 
 TEST_CASE("LSCM and SCP unroll up to scale") {

@@ -73,8 +73,7 @@ void ChartMaker::keep(const Part& part, PartMap map) {
   chart.check = map.check;
   if (map.verdict == Verdict::accepted) {
     // Only the first method knows lengths; the others leave them open.
-    if (map.method != MapMethod::bff && map.method != MapMethod::projection)
-      scale_to_surface(mesh_, part, map.uv);
+    if (map.method != MapMethod::bff) scale_to_surface(mesh_, part, map.uv);
     chart.plane.points = std::move(map.uv);
     chart.scale = scales_of(mesh_, part, chart.plane.points);
   } else {

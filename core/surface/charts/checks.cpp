@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/function_ref.h"
 #include "base/sort_numbers.h"
 #include "domain/box_tree.h"
 #include "geometry/predicates_inline.h"
@@ -67,28 +66,22 @@ bool meet_wrongly(const Part& part, std::span<const Vec2> uv, Index e, Index f) 
   return meeting != Meeting::apart;
 }
 
-/// Is there a pair of border edges, as far as `gap` apart at most, for which `is_bad` holds?
-bool any_pair(const Part& part, std::span<const Vec2> uv, double gap,
-              FunctionRef<bool(Index, Index)> is_bad) {
+bool borders_meet(const Part& part, std::span<const Vec2> uv) {
   const auto& border = part.loops.values;
   std::vector<Box> boxes;
   boxes.reserve(border.size());
   for (const Index e : border) {
+    if (uv[part.origin(e)] == uv[part.target(e)]) return true;
     boxes.push_back(box_of(uv[part.origin(e)], uv[part.target(e)]));
-    boxes.back().hi += Vec2{gap, gap};
   }
   const BoxTree tree(boxes);
   bool found = false;
   for (Index i = 0; i < static_cast<Index>(border.size()) && !found; ++i)
     tree.walk([&](Index, const Box& box) { return !found && overlap(boxes[i], box); },
-              [&](Index j) { found = found || (j > i && is_bad(border[i], border[j])); });
+              [&](Index j) {
+                if (j > i && meet_wrongly(part, uv, border[i], border[j])) found = true;
+              });
   return found;
-}
-
-bool borders_meet(const Part& part, std::span<const Vec2> uv) {
-  for (const Index e : part.loops.values)
-    if (uv[part.origin(e)] == uv[part.target(e)]) return true;
-  return any_pair(part, uv, 0, [&](Index e, Index f) { return meet_wrongly(part, uv, e, f); });
 }
 
 /// Where no triangle is turned over and no border edges meet, points are covered as often as the
@@ -149,17 +142,6 @@ MapCheck check_map(const SurfaceMesh& mesh, const Part& part, std::span<const Ve
   check.scale_range = high / std::max(low, 1e-300);
   check.crossing = covers_twice(part, uv) || borders_meet(part, uv);
   return check;
-}
-
-bool borders_touch(const Part& part, std::span<const Vec2> uv, double gap) {
-  const auto off = [&](Vec2 p, Index e) {
-    return distance(p, closest_point(p, uv[part.origin(e)], uv[part.target(e)]));
-  };
-  return any_pair(part, uv, gap, [&](Index e, Index f) {
-    if (share_a_vertex(part, e, f)) return false;
-    return off(uv[part.origin(e)], f) < gap || off(uv[part.target(e)], f) < gap ||
-           off(uv[part.origin(f)], e) < gap || off(uv[part.target(f)], e) < gap;
-  });
 }
 
 void scale_to_surface(const SurfaceMesh& mesh, const Part& part, std::span<Vec2> uv) {

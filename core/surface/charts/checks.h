@@ -28,10 +28,6 @@ struct MapCheck {
 
 MapCheck check_map(const SurfaceMesh& mesh, const Part& part, std::span<const Vec2> uv);
 
-/// Do border edges that share no vertex come nearer to each other than `gap`? Then what rounding
-/// makes of the sides of a slit says little.
-bool borders_touch(const Part& part, std::span<const Vec2> uv, double gap);
-
 /// Triangles that do not turn left, exactly; those with a corner that is no number count as well.
 Index count_flipped(const Part& part, std::span<const Vec2> uv);
 

@@ -1,22 +1,16 @@
 #include "surface/charts/map_part.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "numerics/elementary.h"
 #include "surface/charts/bff.h"
 #include "surface/charts/conformal.h"
 #include "surface/charts/dirichlet.h"
-#include "surface/charts/projection.h"
 #include "surface/frames.h"
 
 namespace lpq {
 namespace {
 
-// What a projection may do to lengths; more and other maps are better.
-constexpr MapLimits of_flat_part{.scale_range = 1.002, .anisotropy = 1.002};
-constexpr double rounding = 1e-9;  // of the longest edge
 // Vertex values exaggerate what the triangles' scales will be.
 constexpr double early_margin = 1.5;
 // The iterations of the last resort are for small parts; large ones are split.
@@ -42,10 +36,6 @@ class Attempt {
   PartMap lay_down();
 
  private:
-  void try_methods(MapMethod last);
-  bool keeps_lengths() const;
-  /// Whether the part is flat.
-  bool project();
   bool solve(MapMethod method, const Intrinsic& disk);
   void judge(MapMethod method);
   // No other method needs to be asked: the map is good, or conformal and still distorted.
@@ -86,7 +76,6 @@ bool Attempt::solve(MapMethod method, const Intrinsic& disk) {
       return map_.verdict == Verdict::flipped &&
              part_.triangle_count() <= most_iterated_triangles &&
              map_symmetric_dirichlet(mesh_, part_, map_.uv);
-    case MapMethod::projection:
     case MapMethod::none_found: break;
   }
   return false;
@@ -101,31 +90,7 @@ PartMap Attempt::lay_down() {
   return std::move(map_);
 }
 
-bool Attempt::project() {
-  if (!map_projection(mesh_, part_, map_.uv)) return false;
-  judge(MapMethod::projection);
-  return map_.verdict == Verdict::accepted && map_.check.within(of_flat_part);
-}
-
-/// Does the map keep all lengths? Needles in flat parts can spoil it for the others.
-bool Attempt::keeps_lengths() const {
-  double most = 0, longest = 0;
-  for (Index e = 0; e < static_cast<Index>(part_.length.size()); ++e) {
-    const double in_plane = distance(map_.uv[part_.origin(e)], map_.uv[part_.target(e)]);
-    most = std::max(most, std::fabs(in_plane - part_.length[e]));
-    longest = std::max(longest, part_.length[e]);
-  }
-  return most < rounding * longest;
-}
-
 PartMap Attempt::run(MapMethod last) {
-  try_methods(last);
-  if (map_.verdict == Verdict::accepted && keeps_lengths()) return std::move(map_);
-  PartMap found = map_;
-  return project() ? std::move(map_) : std::move(found);
-}
-
-void Attempt::try_methods(MapMethod last) {
   Intrinsic disk = intrinsic_of(mesh_, part_);
   flip_to_delaunay(disk);
   map_.verdict = Verdict::flipped;
@@ -134,6 +99,7 @@ void Attempt::try_methods(MapMethod last) {
     if (solve(method, disk)) judge(method);
     if (decided() || method == last) break;
   }
+  return std::move(map_);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace lpq {
 
-enum class MapMethod { bff, lscm, scp, symmetric_dirichlet, projection, none_found };
+enum class MapMethod { bff, lscm, scp, symmetric_dirichlet, none_found };
 
 enum class Verdict {
   accepted,
@@ -26,9 +26,7 @@ struct PartMap {
 };
 
 /// Tries the methods up to `last` in their order above; those after the first are asked only where
-/// a map is not injective. Where the map does not keep all lengths although the part is flat, for
-/// needles in it, the part is projected. Tells hopeless parts early: `solved` says whether a system
-/// was solved.
+/// a map is not injective. Tells hopeless parts early: `solved` says whether a system was solved.
 PartMap map_part(const SurfaceMesh& mesh, const Part& part, const MapLimits& limits, MapMethod last,
                  bool& solved);
 
