@@ -17,8 +17,8 @@ struct CountSums {
   Csr<CountTerm> terms;               // #sums
   std::vector<Index> constant;        // #sums  added to the terms
   std::vector<char> only_parity;      // #sums  wanted: even; of the others: zero
-  std::vector<char> across_ring;      // #sums  between the borders of one without curvature
-  std::vector<char> between_circles;  // #sums  those of narrow ones, whose borders are small
+  std::vector<char> across_ring;      // #sums  of one without curvature, or between_circles
+  std::vector<char> between_circles;  // #sums  of small ones, the borders of a narrow ring
   std::vector<Index> bent;            // #C  count of a curve that turns on its way; 0 of others
 };
 

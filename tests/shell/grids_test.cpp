@@ -15,6 +15,7 @@
 #include "shell/grids/lattice.h"
 #include "shell/grids/loop_turns.h"
 #include "shell/grids/submapped_grid.h"
+#include "support/check_grid.h"
 #include "support/meshed_surface.h"
 
 using namespace lpq;
@@ -64,19 +65,6 @@ BoundaryMesh boundary_of(const std::vector<Vec2>& points) {
 std::optional<QuadMesh> grid_of(const BoundaryMesh& boundary, double wanted,
                                 const TriMesh& triangles = {}) {
   return submapped_grid(boundary, triangles, wanted);
-}
-
-/// No vertex inside is irregular, and every edge of the border has its quad.
-void check_grid(const BoundaryMesh& boundary, const QuadMesh& grid) {
-  CHECK(invalid_faces(grid).empty());
-  const QuadTopology topology{QuadMesh(grid)};
-  REQUIRE(grid.fixed == static_cast<Index>(boundary.points.size()));
-  CHECK(std::equal(boundary.points.begin(), boundary.points.end(), grid.points.begin()));
-  for (Index v = grid.fixed; v < topology.vertex_count(); ++v) CHECK(topology.valence(v) == 4);
-  for (const Segment& edge : boundary.edges) {
-    const bool forward = edge.left != none;
-    CHECK(topology.face_with_edge(forward ? edge.a : edge.b, forward ? edge.b : edge.a) != none);
-  }
 }
 
 /// A polygon that its centre sees whole.

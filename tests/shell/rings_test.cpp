@@ -6,14 +6,13 @@
 #include <optional>
 
 #include "catch.h"
-#include "cleanup/quad_topology.h"
-#include "cleanup/untangle.h"
 #include "numerics/elementary.h"
 #include "pipeline/mesher.h"
 #include "shell/grids/lattice.h"
 #include "shell/grids/loop_turns.h"
 #include "shell/grids/polar.h"
 #include "shell/grids/submapped_grid.h"
+#include "support/check_grid.h"
 #include "support/meshed_surface.h"
 
 using namespace lpq;
@@ -61,18 +60,6 @@ Mesher finished(const std::vector<Loop>& loops) {
 
 std::optional<QuadMesh> grid_of(const Mesher& mesher, double wanted) {
   return ring_grid(mesher.boundary(), mesher.triangles(), wanted);
-}
-
-void check_grid(const BoundaryMesh& boundary, const QuadMesh& grid) {
-  CHECK(invalid_faces(grid).empty());
-  const QuadTopology topology{QuadMesh(grid)};
-  REQUIRE(grid.fixed == static_cast<Index>(boundary.points.size()));
-  CHECK(std::equal(boundary.points.begin(), boundary.points.end(), grid.points.begin()));
-  for (Index v = grid.fixed; v < topology.vertex_count(); ++v) CHECK(topology.valence(v) == 4);
-  for (const Segment& edge : boundary.edges) {
-    const bool forward = edge.left != none;
-    CHECK(topology.face_with_edge(forward ? edge.a : edge.b, forward ? edge.b : edge.a) != none);
-  }
 }
 
 /// Two circles, joined in the plane z = 0 and behind it.

@@ -5,6 +5,7 @@
 
 #include "base/sort_numbers.h"
 #include "shell/shape/refills.h"
+#include "shell/shape/short_sides.h"
 
 namespace lpq {
 namespace {
@@ -32,10 +33,8 @@ bool is_better(const ShapeSmoother::Verdict& a, const ShapeSmoother::Verdict& b,
 }
 
 bool has_short_side(const ShellMesh& mesh) {
-  for (Index f = 0; f < static_cast<Index>(mesh.faces.size()); ++f) {
-    const SquaredSides sides = squared_sides(mesh, f);
-    if (sides.least < shortest_side * shortest_side * sides.most) return true;
-  }
+  for (Index f = 0; f < static_cast<Index>(mesh.faces.size()); ++f)
+    if (has_short_side(mesh, f, shortest_side)) return true;
   return false;
 }
 
