@@ -120,7 +120,7 @@ class JsSurfaceSession {
     js.set("regions", to_array(layer.regions));
     js.set("eta", to_array(layer.eta));
     js.set("valence", to_array(layer.valence));
-    js.set("pinned", to_array(layer.pinned));
+    js.set("pinned", to_array(layer.pins));
     js.set("edges", to_pairs(layer.edges));
     return js;
   }

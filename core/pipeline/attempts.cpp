@@ -9,6 +9,13 @@ namespace {
 // Iterations of L_p when the caller leaves the choice to us: "eighty iterations are usually
 // sufficient" (paper section 3.3.3); an aligned start is already where L_p would lead.
 constexpr int isotropic_iterations = 80;
+// What has no mesh is mostly narrower in places than the size: then smaller quads fit; and where
+// the rows of an aligned start are the reason, a few iterations of L_p from scattered points do not
+// have them.
+constexpr double smaller = 0.75, still_smaller = 0.6;
+constexpr int brief_iterations = 20;
+// Three quads per triangle halve its sides: the triangles are larger to begin with.
+constexpr double before_subdivision = 1.5;
 // Rounds of exchanging points: from an isotropic start four in five of what twice as many bring.
 // None where the count is the caller's or the paper's, or the start aligned, which they harm.
 constexpr int isotropic_restarts = 10;
@@ -37,12 +44,14 @@ std::vector<Attempt> plan_attempts(const Options& options, bool seeds_given) {
       attempts.push_back(
           {.seeds = seeds, .iterations = asked, .restarts = restarts, .alternative = true});
   }
-  attempts.push_back({.seeds = Seeds::aligned, .size_factor = 0.75});
+  attempts.push_back({.seeds = Seeds::aligned, .size_factor = smaller});
   if (options.keep_boundary) {
-    attempts.push_back({.seeds = Seeds::isotropic, .iterations = 20, .size_factor = 0.6});
+    attempts.push_back(
+        {.seeds = Seeds::isotropic, .iterations = brief_iterations, .size_factor = still_smaller});
     attempts.push_back({.seeds = Seeds::aligned, .cut_darts = true});
   } else {
-    attempts.push_back({.seeds = Seeds::isotropic, .size_factor = 1.5, .subdivide = true});
+    attempts.push_back(
+        {.seeds = Seeds::isotropic, .size_factor = before_subdivision, .subdivide = true});
   }
   return attempts;
 }

@@ -28,11 +28,16 @@ PatchOptions patch_options(const Options& options) {
 
 PatchOptions annealing_options(const Options& options) {
   PatchOptions patches = patch_options(options);
-  patches.credit = 5;
+  patches.credit = 5;  // less than in order, and more fillings: chance has time for shapes
   patches.plans = 10;
   // Hot enough at first to part with what the ordered passes settled on: beginning at 0.8 leaves a
   // quarter more irregular vertices. Twice the trials gain nothing.
-  patches.passes = {{200, 8, 60}, {200, 4, 80}, {200, 2, 80}, {200, 1, 80}, {60}, {200}};
+  patches.passes = {{.temperature = 8, .trials = 60},
+                    {.temperature = 4, .trials = 80},
+                    {.temperature = 2, .trials = 80},
+                    {.temperature = 1, .trials = 80},
+                    {.largest = 60},
+                    {.largest = 200}};
   return patches;
 }
 

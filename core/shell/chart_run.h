@@ -28,7 +28,8 @@ class ChartRun {
   ChartRun(const ChartRun&) = delete;
   ChartRun& operator=(const ChartRun&) = delete;
 
-  /// A fingerprint of all that goes into the mesh.
+  /// A fingerprint of what the mesh is made from, among runs over one atlas with the same options:
+  /// chart, borders and sizes.
   std::uint64_t key() const { return key_; }
   /// One step of the planar chain; the mesh, or why there is none, once that is known.
   std::optional<Result<OutputMesh>> step(const Options& options);

@@ -74,7 +74,7 @@ class ShellCheck {
   }
 
   Index wanted_parts(Index v, const std::vector<Index>& parts) const {
-    if (mesh_.pinned[v] != 2) return 1;
+    if (mesh_.pins[v] != Pin::corner) return 1;
     const SurfacePlace& place = mesh_.places[v];
     const auto k = std::max_element(place.weight, place.weight + 3) - place.weight;
     return parts[surface_.triangles[place.triangle][k]];

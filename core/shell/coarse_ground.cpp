@@ -91,8 +91,8 @@ void CoarseGround::raise(const ShellMesh& before, ShellMesh& mesh) const {
   const NearbyPlaces on_fine(fine_.mesh, fine_.features.face);
   std::size_t next = 0;  // of the vertices before
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    if (mesh.pinned[v]) {
-      while (!before.pinned[next]) ++next;
+    if (!mesh.is_free(v)) {
+      while (before.is_free(next)) ++next;
       mesh.places[v] = before.places[next++];
       continue;
     }

@@ -40,14 +40,14 @@ ChartsMesher::~ChartsMesher() = default;
 // Nodes on true features stay there; those on cuts alone are free in the end.
 void ChartsMesher::pin_nodes() {
   ShellMesh& mesh = result_.mesh;
-  mesh.pinned.assign(mesh.points.size(), 0);
+  mesh.pins.assign(mesh.points.size(), Pin::free);
   std::vector<std::array<std::array<Index, 2>, 2>> edges;  // with their sides
   for (Index c = 0; c < charted_.curves.count(); ++c) {
     if (!charted_.features.is_feature(charted_.curves.edges.row(c)[0])) continue;
     const auto row = charted_.nodes.nodes.row(c);
-    mesh.pinned[row[0]] = 1;
+    mesh.pins[row[0]] = Pin::line;
     for (std::size_t k = 1; k < row.size(); ++k) {
-      mesh.pinned[row[k]] = 1;
+      mesh.pins[row[k]] = Pin::line;
       const Index edge = k == 1 ? 0 : charted_.nodes.places[row[k - 1]].edge;
       const auto [along, against] = sides_of(c, edge);
       if (row[k - 1] < row[k])
@@ -58,7 +58,7 @@ void ChartsMesher::pin_nodes() {
   }
   for (std::size_t n = 0; n < mesh.points.size(); ++n) {
     const Index v = charted_.nodes.places[n].vertex;
-    if (v != none && charted_.features.corner[v]) mesh.pinned[n] = 2;
+    if (v != none && charted_.features.corner[v]) mesh.pins[n] = Pin::corner;
   }
   sort_values(edges);
   for (const auto& [ends, sides] : edges) {
@@ -158,7 +158,7 @@ void ChartsMesher::lift(const OutputMesh& plane) {
       number[v] = static_cast<Index>(mesh.points.size());
       mesh.points.push_back(point_at(charted_.mesh, place));
       mesh.places.push_back(place);
-      mesh.pinned.push_back(0);
+      mesh.pins.push_back(Pin::free);
     } else {
       mesh.places[number[v]] = place;
     }

@@ -46,8 +46,8 @@ struct ChartFailure {
 /// plane are nobody's but ours.
 std::string chart_words(const Error& error);
 
-/// Charts in their planes, by a fingerprint of all that went into them: when sizes change in one
-/// place, the other charts need not be meshed again.
+/// Charts of one atlas in their planes, by ChartRun::key: when sizes change in one place, the other
+/// charts need not be meshed again. Keys of 64 bits are taken to be different for different charts.
 using PlaneMeshes = std::map<std::uint64_t, Result<OutputMesh>>;
 
 struct MeshedCharts {

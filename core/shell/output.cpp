@@ -24,7 +24,7 @@ std::vector<CurveEdge> curve_edges(const ShellMesh& mesh) {
     const Face& face = mesh.faces[f];
     for (int k = 0, n = corner_count(face); k < n; ++k) {
       const Index a = face[k], b = face[(k + 1) % n];
-      if (!mesh.pinned[a] || !mesh.pinned[b]) continue;
+      if (mesh.is_free(a) || mesh.is_free(b)) continue;
       const std::array<Index, 2> ends{std::min(a, b), std::max(a, b)};
       const auto at = std::lower_bound(edges.begin(), edges.end(), ends, before);
       if (at == edges.end() || at->ends != ends) continue;
@@ -59,7 +59,9 @@ class CurveWalk {
   }
 
  private:
-  bool is_end(Index v) const { return mesh_.pinned[v] == 2 || edges_at_.row(v).size() != 2; }
+  bool is_end(Index v) const {
+    return mesh_.pins[v] == Pin::corner || edges_at_.row(v).size() != 2;
+  }
 
   void walk(Index e, Index from) {
     const std::size_t first = out_.edges.size();

@@ -78,9 +78,9 @@ void part_vertices(const SurfaceMesh& mesh, ShellMesh& shell, const Parting& par
   };
   for (Index v = 0; v < static_cast<Index>(first.size()); ++v) {
     if (first[v] == v) continue;
-    if (!shell.pinned[v])
+    if (shell.is_free(v))
       move(v, first[v]);
-    else if (!shell.pinned[first[v]])
+    else if (shell.is_free(first[v]))
       move(first[v], first[v]);
   }
 }

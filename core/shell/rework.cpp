@@ -33,7 +33,11 @@ double merit(const QuadMesh& mesh, const Fields& fields, const PatchOptions& opt
 PatchOptions search_options(const Options& options, std::uint64_t seed) {
   const double trials = options.effort == Effort::high ? 80 : 20;
   PatchOptions patches = annealing_options(options);
-  patches.passes = {{200, 0.8, trials}, {200, 0.4, trials}, {200, 0.2, trials}, {60}, {200}};
+  patches.passes = {{.temperature = 0.8, .trials = trials},
+                    {.temperature = 0.4, .trials = trials},
+                    {.temperature = 0.2, .trials = trials},
+                    {.largest = 60},
+                    {.largest = 200}};
   patches.seed = seed;
   return patches;
 }

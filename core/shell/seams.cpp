@@ -58,7 +58,7 @@ class SeamFinisher::Run {
         outside_(charted_.mesh, charted_.features, charted_.size),
         rim_(mesh_.points.size(), 0),
         seed_(options.seed) {
-    for (std::size_t v = 0; v < charted_.nodes.points.size(); ++v) rim_[v] = !mesh_.pinned[v];
+    for (std::size_t v = 0; v < charted_.nodes.points.size(); ++v) rim_[v] = mesh_.is_free(v);
     if (coarse_) {
       before_ = mesh_;
       coarse_->lower(mesh_);
@@ -126,7 +126,7 @@ class SeamFinisher::Run {
       for (const Index v : face)
         if (v != none) ++valence[v];
     for (std::size_t v = 0; v < valence.size(); ++v)
-      if (!mesh_.pinned[v] && valence[v] != 4) wanted_.push_back(static_cast<Index>(v));
+      if (mesh_.is_free(v) && valence[v] != 4) wanted_.push_back(static_cast<Index>(v));
   }
 
   /// The largest that can be around the vertex.
@@ -205,11 +205,11 @@ class SeamFinisher::Run {
       number.push_back(static_cast<Index>(mesh_.points.size()));
       mesh_.places.push_back(part.places[v]);
       mesh_.points.push_back(part.points[v]);
-      mesh_.pinned.push_back(0);
+      mesh_.pins.push_back(Pin::free);
       rim_.push_back(0);
     }
     for (const Index v : window.vertex) rim_[v] = 0;
-    for (Index v = 0; v < fixed; ++v) rim_[number[v]] = !mesh_.pinned[number[v]];
+    for (Index v = 0; v < fixed; ++v) rim_[number[v]] = mesh_.is_free(number[v]);
     for (std::size_t f = 0; f < part.faces.size(); ++f) {
       const auto [a, b, c, d] = part.faces[f];
       mesh_.faces.push_back({number[a], number[b], number[c], number[d]});

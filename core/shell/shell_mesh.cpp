@@ -9,12 +9,12 @@ std::vector<Index> sweep(ShellMesh& mesh, const std::vector<char>& kept) {
     if (!kept[v]) continue;
     mesh.points[count] = mesh.points[v];
     mesh.places[count] = mesh.places[v];
-    mesh.pinned[count] = mesh.pinned[v];
+    mesh.pins[count] = mesh.pins[v];
     number[v] = count++;
   }
   mesh.points.resize(count);
   mesh.places.resize(count);
-  mesh.pinned.resize(count);
+  mesh.pins.resize(count);
   std::size_t faces = 0;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     if (mesh.faces[f][0] == none) continue;

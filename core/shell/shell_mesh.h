@@ -16,15 +16,24 @@ struct SurfacePlace {
   double weight[3] = {0, 0, 0};
 };
 
+/// What a vertex lies on, and so where it may go.
+enum class Pin : char {
+  free,    // over the surface
+  line,    // along a feature or border
+  corner,  // nowhere
+};
+
 struct ShellMesh {
   std::vector<Vec3> points;                 // #V  nodes of the curves first
   std::vector<SurfacePlace> places;         // #V
   std::vector<Face> faces;                  // #F  counter-clockwise seen from outside
   std::vector<Index> face;                  // #F  face of the surface, between features
-  std::vector<char> pinned;                 // #V  on a feature or border: 1, a corner: 2, free: 0
+  std::vector<Pin> pins;                    // #V
   std::vector<std::array<Index, 2>> edges;  // #E  edges on features and borders, a < b, sorted
   // #E  faces that the surface has there: beside a -> b, and beside b -> a
   std::vector<std::array<Index, 2>> sides;
+
+  bool is_free(std::size_t v) const { return pins[v] == Pin::free; }
 };
 
 /// Sweeps out faces without corners and the vertices that are not `kept` (#V); the order of the

@@ -78,7 +78,7 @@ ShellLayer shell_layer(const SurfaceMesher& mesher) {
   ShellLayer layer;
   layer.points = mesh.points;
   layer.valence.assign(mesh.points.size(), 0);
-  layer.pinned.assign(mesh.pinned.begin(), mesh.pinned.end());
+  for (const Pin pin : mesh.pins) layer.pins.push_back(static_cast<Index>(pin));
   layer.edges = mesh.edges;
   for (const int corners : {4, 3})
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {

@@ -45,7 +45,7 @@ struct ShellLayer {
   std::vector<Index> regions;               // #F  face of the surface
   std::vector<double> eta;                  // #F  0 for a triangle
   std::vector<Index> valence;               // #V  faces at the vertex
-  std::vector<Index> pinned;                // #V  free: 0, on a feature or border: 1, a corner: 2
+  std::vector<Index> pins;                  // #V  Pin: free 0, on a feature or border 1, corner 2
   std::vector<std::array<Index, 2>> edges;  // #E  on features and borders
 };
 

@@ -135,7 +135,7 @@ void WindowMaker::drop_bad_rim(const ShellMesh& shell, const Chart& chart,
       for (int k = 0; k < 4; ++k) {
         p[k] = in_plane(shell, chart, face[k]);
         fixed =
-            fixed || shell.pinned[face[k]] || std::binary_search(rim.begin(), rim.end(), face[k]);
+            fixed || !shell.is_free(face[k]) || std::binary_search(rim.begin(), rim.end(), face[k]);
       }
       return fixed && !is_strictly_convex(p, {0, 1, 2, 3});
     });
@@ -154,7 +154,7 @@ void WindowMaker::count_outside(const ShellMesh& shell, const ShellStars& stars,
     for (const Index v : face)
       if (v < quads.fixed) --quads.outside[v];
   for (Index v = 0; v < quads.fixed; ++v)
-    if (shell.pinned[window.vertex[v]]) quads.outside[v] = none;
+    if (!shell.is_free(window.vertex[v])) quads.outside[v] = none;
 }
 
 void WindowMaker::lay_out(const ShellMesh& shell, Window& window) {
@@ -165,7 +165,7 @@ void WindowMaker::lay_out(const ShellMesh& shell, Window& window) {
   const std::vector<Index> border = border_origins(shell, window.faces);
   std::vector<Index> order, movable;
   for (const Index v : all) {
-    const bool fixed = shell.pinned[v] || std::binary_search(border.begin(), border.end(), v);
+    const bool fixed = !shell.is_free(v) || std::binary_search(border.begin(), border.end(), v);
     (fixed ? order : movable).push_back(v);
   }
   QuadMesh& quads = window.quads;

@@ -37,7 +37,7 @@ ShellMesh scattered(const SurfaceMesh& mesh) {
   for (Index t = 0; t < mesh.triangle_count(); t += 37) {
     shell.places.push_back({t, {0.5, 0.2, 0.3}});
     shell.points.push_back(point_at(mesh, shell.places.back()));
-    shell.pinned.push_back(t % 3 == 0);
+    shell.pins.push_back(t % 3 == 0 ? Pin::line : Pin::free);
   }
   return shell;
 }
@@ -64,11 +64,11 @@ TEST_CASE("vertices go to the coarse ground and back") {
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     CHECK(mesh.points[v] == before.points[v]);
     CHECK(distance(point_at(coarse.mesh, mesh.places[v]), mesh.points[v]) < 0.02);
-    if (!mesh.pinned[v]) mesh.points[v] = point_at(coarse.mesh, mesh.places[v]);
+    if (mesh.is_free(v)) mesh.points[v] = point_at(coarse.mesh, mesh.places[v]);
   }
   ground.raise(before, mesh);
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    if (mesh.pinned[v])
+    if (!mesh.is_free(v))
       CHECK(mesh.places[v].triangle == before.places[v].triangle);
     else
       CHECK(mesh.points[v] == point_at(ball.mesh, mesh.places[v]));

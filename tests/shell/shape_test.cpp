@@ -236,7 +236,7 @@ TEST_CASE("a shaken box finds back, and its edges stay where they are") {
     const Vec3 p = meshed.mesh().points[v];
     const auto on = [](double x, double end) { return std::abs(x * (end - x)) < 1e-12; };
     const int at_end = on(p.x, 1) + on(p.y, 2) + on(p.z, 1);
-    CHECK(at_end >= 1 + meshed.mesh().pinned[v]);
+    CHECK(at_end >= 1 + static_cast<int>(meshed.mesh().pins[v]));
   }
   // Out of order, the edges along a line would overlap.
   CHECK(feature_length(meshed.mesh()) == Approx(16).epsilon(1e-12));
@@ -437,7 +437,7 @@ TEST_CASE("a side that has nearly vanished grows again") {
   for (const Face& face : mesh.faces)
     for (int k = 0; k < 4 && moved == none; ++k) {
       const Index v = face[k], w = face[(k + 1) % 4];
-      if (mesh.pinned[v] || mesh.pinned[w]) continue;
+      if (!mesh.is_free(v) || !mesh.is_free(w)) continue;
       if (mesh.places[v].triangle != mesh.places[w].triangle) continue;
       moved = v;
       for (int i = 0; i < 3; ++i)

@@ -207,7 +207,7 @@ TEST_CASE("the final check finds what is wrong with a mesh, and where") {
   together.points[from] = together.points[to];
   CHECK(check_places(together.points, together.faces, 1e-12).size() == 1);
   const Index free = static_cast<Index>(
-      std::find(good.mesh.pinned.begin(), good.mesh.pinned.end(), 0) - good.mesh.pinned.begin());
+      std::find(good.mesh.pins.begin(), good.mesh.pins.end(), Pin::free) - good.mesh.pins.begin());
   ShellMesh fallen = good.mesh;
   fallen.points[free] = fallen.points[0];
   part_vertices(good.surface, fallen);

@@ -120,7 +120,7 @@ class CornerEaser {
     if (best.roles[local].on_track.vertex != none) return false;
     put_back(best, mesh_, roles_);
     roles_[v] = best.roles[local];
-    mesh_.pinned[v] = 1;
+    mesh_.pins[v] = Pin::line;
     return true;
   }
 

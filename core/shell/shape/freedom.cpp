@@ -33,12 +33,13 @@ std::vector<VertexRole> vertex_roles(const Charted& charted, const Tracks& track
   std::vector<VertexRole> roles(mesh.points.size());
   std::size_t next = 0;
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    if (!mesh.pinned[v]) continue;
+    if (mesh.is_free(v)) continue;
     LPQ_ASSERT(next < positions.size());
     VertexRole& role = roles[v];
     role.on_track = positions[next++];
-    role.kind = role.on_track.track == none || mesh.pinned[v] == 2 ? VertexRole::Kind::fixed
-                                                                   : VertexRole::Kind::slides;
+    role.kind = role.on_track.track == none || mesh.pins[v] == Pin::corner
+                    ? VertexRole::Kind::fixed
+                    : VertexRole::Kind::slides;
   }
   LPQ_ASSERT(next == positions.size());
   return roles;

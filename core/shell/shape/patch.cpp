@@ -55,7 +55,7 @@ ShapePatch take_patch(const ShellMesh& mesh, const std::vector<VertexRole>& role
   for (const Index v : patch.vertex) {
     patch.mesh.points.push_back(mesh.points[v]);
     patch.mesh.places.push_back(mesh.places[v]);
-    patch.mesh.pinned.push_back(mesh.pinned[v]);
+    patch.mesh.pins.push_back(mesh.pins[v]);
     patch.roles.push_back(roles[v]);
     const auto star = stars.row(v);
     const bool inside = std::all_of(star.begin(), star.end(), [&](Index f) {
@@ -96,7 +96,7 @@ void put_back(const ShapePatch& patch, ShellMesh& mesh, std::vector<VertexRole>&
     whole.vertex[i] = static_cast<Index>(mesh.points.size());
     mesh.points.push_back({});
     mesh.places.push_back({});
-    mesh.pinned.push_back(0);
+    mesh.pins.push_back(Pin::free);
     roles.push_back({});
   }
   put_positions(whole, mesh, roles);

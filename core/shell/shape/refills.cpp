@@ -18,7 +18,7 @@ class PatchEdit {
   }
 
   const Face& face(Index f) const { return patch_.mesh.faces[f]; }
-  bool may_go(Index v) const { return !patch_.rim[v] && !patch_.mesh.pinned[v]; }
+  bool may_go(Index v) const { return !patch_.rim[v] && patch_.mesh.is_free(v); }
 
   bool is_wall(Index a, Index b) const {
     return std::binary_search(patch_.mesh.edges.begin(), patch_.mesh.edges.end(),
@@ -142,7 +142,7 @@ class PatchEdit {
         ground_.walker.walk(start, {dot(way, axes.x), dot(way, axes.y)}).place;
     patch_.mesh.places.push_back(place);
     patch_.mesh.points.push_back(point_at(ground_.surface, place));
-    patch_.mesh.pinned.push_back(0);
+    patch_.mesh.pins.push_back(Pin::free);
     patch_.roles.push_back({});
     patch_.rim.push_back(0);
     patch_.vertex.push_back(none);
