@@ -210,6 +210,24 @@ TEST_CASE("checks see a flipped triangle and a border that meets itself") {
   CHECK(check.crossing);
 }
 
+TEST_CASE("borders that lie on each other but for rounding meet, across the outside alone") {
+  const auto bent = [](double width, double turns) {
+    const SurfaceMesh strip = grid_surface(80, 2, [=](double u, double v) {
+      return Vec3{u, width * v, 0};
+    });
+    const Part part = whole(strip);
+    std::vector<Vec2> uv;
+    for (const Index v : part.vertex) {
+      const double angle = -turns * turn * strip.points[v].x, r = 0.2 + strip.points[v].y;
+      uv.push_back({r * std::cos(angle), r * std::sin(angle)});
+    }
+    return check_map(strip, part, uv);
+  };
+  CHECK(bent(0.02, 1 - 1e-12).crossing);  // a ring cut open: the sides of the cut
+  CHECK(bent(0.02, 1 - 1e-6).injective());
+  CHECK(bent(1e-12, 0.5).injective());  // a hair's sides are near each other across the inside
+}
+
 TEST_CASE("checks see a hole that is turned over without any triangle being") {
   // A triangular hole a, b, c in a square of corners on the axes.
   const std::vector<Vec3> points{{-0.5, 0, 0}, {0.5, 0, 0}, {0, 0.2, 0}, {0, 2, 0},

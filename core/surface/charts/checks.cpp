@@ -16,6 +16,9 @@ constexpr double tail = 0.005;         // of the area, left out at either end of
 constexpr double judged_share = 0.95;  // of the area, whose anisotropy counts
 // Triangles below this share of the mean area say nothing about the map.
 constexpr double least_area_share = 1e-12;
+// Of the plane's extent. Borders nearer to each other, across the outside, meet once nodes between
+// their corners are rounded: the two sides of a cut through a flat ring lie on each other.
+constexpr double least_gap_share = 1e-9;
 
 struct Weighted {
   double value, area;
@@ -66,8 +69,24 @@ bool meet_wrongly(const Part& part, std::span<const Vec2> uv, Index e, Index f) 
   return meeting != Meeting::apart;
 }
 
+/// Whether an end of border edge f lies beside e, outside and nearer than `gap`.
+bool lies_along(const Part& part, std::span<const Vec2> uv, Index e, Index f, double gap) {
+  const Vec2 a = uv[part.origin(e)], b = uv[part.target(e)];
+  const double along = distance(a, b);
+  for (const Vec2 q : {uv[part.origin(f)], uv[part.target(f)]}) {
+    const double foot = dot(q - a, b - a) / along;  // from a
+    if (!(foot > 2 * gap && foot < along - 2 * gap)) continue;
+    // The part lies to the left of its border.
+    if (std::abs(cross(b - a, q - a)) < gap * along && orient2d_inline(a, b, q) < 0) return true;
+  }
+  return false;
+}
+
 bool borders_meet(const Part& part, std::span<const Vec2> uv) {
   const auto& border = part.loops.values;
+  const Box extent = box_of(uv);
+  const double gap = least_gap_share * distance(extent.lo, extent.hi);
+  const Vec2 margin{gap, gap};
   std::vector<Box> boxes;
   boxes.reserve(border.size());
   for (const Index e : border) {
@@ -75,12 +94,16 @@ bool borders_meet(const Part& part, std::span<const Vec2> uv) {
     boxes.push_back(box_of(uv[part.origin(e)], uv[part.target(e)]));
   }
   const BoxTree tree(boxes);
+  const auto touch = [&](Index e, Index f) {
+    return meet_wrongly(part, uv, e, f) || lies_along(part, uv, e, f, gap) ||
+           lies_along(part, uv, f, e, gap);
+  };
   bool found = false;
-  for (Index i = 0; i < static_cast<Index>(border.size()) && !found; ++i)
-    tree.walk([&](Index, const Box& box) { return !found && overlap(boxes[i], box); },
-              [&](Index j) {
-                if (j > i && meet_wrongly(part, uv, border[i], border[j])) found = true;
-              });
+  for (Index i = 0; i < static_cast<Index>(border.size()) && !found; ++i) {
+    const Box reach{boxes[i].lo - margin, boxes[i].hi + margin};
+    tree.walk([&](Index, const Box& box) { return !found && overlap(reach, box); },
+              [&](Index j) { found = found || (j > i && touch(border[i], border[j])); });
+  }
   return found;
 }
 
