@@ -69,15 +69,16 @@ bool meet_wrongly(const Part& part, std::span<const Vec2> uv, Index e, Index f) 
   return meeting != Meeting::apart;
 }
 
-/// Whether an end of border edge f lies beside e, outside and nearer than `gap`.
+/// Whether an end or the middle of border edge f lies beside e, outside and nearer than `gap`.
 bool lies_along(const Part& part, std::span<const Vec2> uv, Index e, Index f, double gap) {
   const Vec2 a = uv[part.origin(e)], b = uv[part.target(e)];
+  const Vec2 c = uv[part.origin(f)], d = uv[part.target(f)];
   const double along = distance(a, b);
-  for (const Vec2 q : {uv[part.origin(f)], uv[part.target(f)]}) {
+  for (const Vec2 q : {c, midpoint(c, d), d}) {
     const double foot = dot(q - a, b - a) / along;  // from a
     if (!(foot > 2 * gap && foot < along - 2 * gap)) continue;
     // The part lies to the left of its border.
-    if (std::abs(cross(b - a, q - a)) < gap * along && orient2d_inline(a, b, q) < 0) return true;
+    if (std::abs(cross(b - a, q - a)) < gap * along && orient2d_inline(a, b, q) <= 0) return true;
   }
   return false;
 }
