@@ -17,8 +17,8 @@ class Canonicaliser {
  private:
   void number_points();
   void collect_tags();
-  std::optional<Error> add_loop(Index chain);
-  std::optional<Error> share(Index existing, Index edge, bool reversed, Index region);
+  Problem add_loop(Index chain);
+  Problem share(Index existing, Index edge, bool reversed, Index region);
   void add_polylines();
   void add_points();
   Index point_of(Index corner);
@@ -92,7 +92,7 @@ Index Canonicaliser::smallest_corner(const Chain& chain) const {
   return best;
 }
 
-std::optional<Error> Canonicaliser::share(Index existing, Index edge, bool reversed, Index region) {
+Problem Canonicaliser::share(Index existing, Index edge, bool reversed, Index region) {
   Segment& segment = domain_.segments[existing];
   const Edge& e = outline_.edges[edge];
   const bool same_way = segment.a == point_of(reversed ? e.b : e.a);
@@ -111,7 +111,7 @@ std::optional<Error> Canonicaliser::share(Index existing, Index edge, bool rever
   return {};
 }
 
-std::optional<Error> Canonicaliser::add_loop(Index number) {
+Problem Canonicaliser::add_loop(Index number) {
   const Chain& chain = outline_.chains[number];
   const bool outer = roles_.outer[chain.region] == number;
   const bool reversed = (roles_.orientation[number] > 0) != outer;

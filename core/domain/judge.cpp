@@ -16,8 +16,6 @@
 namespace lpq {
 namespace {
 
-using Problem = std::optional<Error>;
-
 std::string capitalised(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 32);
   return text;

@@ -72,8 +72,8 @@ Error nested(const Outline& outline, const Chain& hole, const Chain& other, Inde
 }
 
 /// Holes all of whose corners lie on neighbours: they can still be told when they are equal.
-std::optional<Error> find_duplicate(const Outline& outline, const LoopRoles& roles,
-                                    const std::vector<Index>& contact_holes) {
+Problem find_duplicate(const Outline& outline, const LoopRoles& roles,
+                       const std::vector<Index>& contact_holes) {
   std::vector<std::pair<std::vector<Index>, Index>> prints;
   for (const Index l : contact_holes)
     prints.push_back({fingerprint(outline, outline.chains[l]), l});
@@ -90,9 +90,9 @@ std::optional<Error> find_duplicate(const Outline& outline, const LoopRoles& rol
 
 }  // namespace
 
-std::optional<Error> judge_nesting(const Outline& outline, const LoopRoles& roles,
-                                   const BoxTree& tree, const Meetings& meetings) {
-  std::optional<Error> inside_hole;
+Problem judge_nesting(const Outline& outline, const LoopRoles& roles, const BoxTree& tree,
+                      const Meetings& meetings) {
+  Problem inside_hole;
   std::vector<Index> contact_holes;
   for (Index l = 0; l < outline.loop_count; ++l) {
     const Chain& hole = outline.chains[l];

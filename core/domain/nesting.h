@@ -1,8 +1,6 @@
 // Which loop of a region lies inside which other.
 #pragma once
 
-#include <optional>
-
 #include "domain/judge.h"
 #include "domain/meetings.h"
 
@@ -10,7 +8,7 @@ namespace lpq {
 
 /// Errors: hole_outside before nested_or_duplicate_hole. Requires that no edges cross. One ray per
 /// hole through the tree.
-std::optional<Error> judge_nesting(const Outline& outline, const LoopRoles& roles,
-                                   const BoxTree& tree, const Meetings& meetings);
+Problem judge_nesting(const Outline& outline, const LoopRoles& roles, const BoxTree& tree,
+                      const Meetings& meetings);
 
 }  // namespace lpq

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <optional>
 
 #include "base/sort_numbers.h"
 
@@ -28,7 +27,6 @@ class OutlineBuilder {
   Result<Outline> build();
 
  private:
-  using Problem = std::optional<Error>;
   Problem check_counts() const;
   Problem check_tags() const;
   Problem check_numbers() const;
@@ -48,7 +46,7 @@ std::string chain_name(const Outline& outline, const Chain& chain) {
   return chain.is_loop() ? loop_name(outline, chain) : "polyline " + std::to_string(chain.number);
 }
 
-OutlineBuilder::Problem OutlineBuilder::check_counts() const {
+Problem OutlineBuilder::check_counts() const {
   std::size_t count = input().points.size();
   for (const DomainInput::Polyline& line : input().polylines) count += line.points.size();
   bool any_loop = false;
@@ -74,7 +72,7 @@ OutlineBuilder::Problem OutlineBuilder::check_counts() const {
   return {};
 }
 
-OutlineBuilder::Problem OutlineBuilder::check_tags() const {
+Problem OutlineBuilder::check_tags() const {
   for (std::size_t r = 0; r < input().regions.size(); ++r) {
     const DomainInput::Region& region = input().regions[r];
     for (std::size_t l = 0; l < region.tags.size(); ++l) {
@@ -98,7 +96,7 @@ Error not_finite(const std::string& what, Where where) {
           where};
 }
 
-OutlineBuilder::Problem OutlineBuilder::check_numbers() const {
+Problem OutlineBuilder::check_numbers() const {
   const auto bad = [](const std::vector<Vec2>& points) {
     for (std::size_t i = 0; i < points.size(); ++i)
       if (!is_finite(points[i])) return static_cast<Index>(i);
@@ -131,7 +129,7 @@ OutlineBuilder::Problem OutlineBuilder::check_numbers() const {
   return {};
 }
 
-OutlineBuilder::Problem OutlineBuilder::report_duplicate(const Chain& chain, Index at, Vec2 p) {
+Problem OutlineBuilder::report_duplicate(const Chain& chain, Index at, Vec2 p) {
   Where where = at_point(where_loop(chain), p);
   where.edge = at;
   const std::string place = "Points " + std::to_string(at) + " and the one after it in " +
@@ -143,7 +141,7 @@ OutlineBuilder::Problem OutlineBuilder::report_duplicate(const Chain& chain, Ind
 }
 
 // Of a run of equal points the first is kept; the edge that leaves the run starts at its last.
-OutlineBuilder::Problem OutlineBuilder::add_chain(Chain chain, const std::vector<Vec2>& points) {
+Problem OutlineBuilder::add_chain(Chain chain, const std::vector<Vec2>& points) {
   Index n = static_cast<Index>(points.size());
   if (chain.is_loop() && n > 1 && points[n - 1] == points[0]) --n;
   chain.begin = static_cast<Index>(outline_.given.size());
@@ -176,7 +174,7 @@ OutlineBuilder::Problem OutlineBuilder::add_chain(Chain chain, const std::vector
   return {};
 }
 
-OutlineBuilder::Problem OutlineBuilder::fit() {
+Problem OutlineBuilder::fit() {
   outline_.frame = fit_frame(outline_.given);
   outline_.points.reserve(outline_.given.size());
   for (const Vec2 world : outline_.given) {
@@ -211,7 +209,7 @@ void OutlineBuilder::number_vertices() {
   ++outline_.vertex_count;
 }
 
-OutlineBuilder::Problem OutlineBuilder::merge_points() {
+Problem OutlineBuilder::merge_points() {
   std::vector<Index> first(outline_.vertex_count, none);
   Index kept = outline_.first_point;
   for (Index c = outline_.first_point; c < static_cast<Index>(outline_.points.size()); ++c) {

@@ -19,8 +19,6 @@
 namespace lpq {
 namespace {
 
-using Problem = std::optional<Error>;
-
 constexpr Index unknown = -2;
 
 bool is_polyline(const Segment& segment) { return segment.region == none; }
@@ -273,6 +271,6 @@ Problem SideSettler::run() {
 
 }  // namespace
 
-std::optional<Error> settle_sides(Domain& domain) { return SideSettler(domain).run(); }
+Problem settle_sides(Domain& domain) { return SideSettler(domain).run(); }
 
 }  // namespace lpq

@@ -55,7 +55,7 @@ double target_size(const Domain& domain, const Options& options) {
 
 /// Squares of lengths, of which the final check of a mesh is made, must be within what doubles
 /// hold.
-std::optional<Error> judge_scale(const Domain& domain, double size) {
+Problem judge_scale(const Domain& domain, double size) {
   constexpr double least = 1e-153, greatest = 1e153;
   const double across = domain.frame.length_to_world(diagonal(domain));
   const double finest = size > 0 ? domain.frame.length_to_world(size) : across;
@@ -208,13 +208,13 @@ Result<Graded> grade_as_affordable(const Domain& domain, const Options& options,
   return grade(domain, options, user, size, growth);
 }
 
-Result<bool> judge_seeds(const std::vector<Vec2>& seeds) {
+Problem judge_seeds(const std::vector<Vec2>& seeds) {
   for (std::size_t i = 0; i < seeds.size(); ++i)
     if (!is_finite(seeds[i]))
       return Error{ErrorCode::non_finite,
                    "Seed point " + std::to_string(i) + " is not a pair of finite numbers.",
                    {}};
-  return true;
+  return {};
 }
 
 // What the caller says now stands in for what came with the domain.
@@ -238,12 +238,12 @@ Result<Preparation> prepare(const DomainInput& input, const Options& options,
                             const UserFields& user) {
   if (!(options.size >= 0) || std::isinf(options.size))
     return size_error("The mesh size must be a positive finite number, or 0 for the domain's own.");
-  if (const auto ranges = check_ranges(options); !ranges) return ranges.error();
+  if (const Problem range = check_ranges(options)) return *range;
 
   if (options.growth > 0 && options.growth < least_growth)
     return Error{ErrorCode::bad_option, "The growth of sizes must be 0 or at least 0.01.", {}};
   const UserFields given = with_those_of(input, user);
-  if (const auto finite = judge_seeds(given.seeds); !finite) return finite.error();
+  if (const Problem problem = judge_seeds(given.seeds)) return *problem;
 
   Preparation prepared;
   auto domain = make_domain(input, {.strict = options.strict});

@@ -138,8 +138,8 @@ double drawing_size(const LineWork& lines) {
   return std::max(hi.x - lo.x, hi.y - lo.y);
 }
 
-Result<int> join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
-                         std::vector<Warning>& warnings) {
+Problem join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
+                     std::vector<Warning>& warnings) {
   if (is_too_many(drawing.lines, bytes))
     return Error{
         ErrorCode::too_large,
@@ -173,7 +173,7 @@ Result<int> join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
     warn(warnings, ErrorCode::overlapping_edges,
          "Edges drawn more than once were taken once: " + std::to_string(joined.doubled) + ".",
          joined.doubled_at);
-  return 0;
+  return {};
 }
 
 NestedFaces nest_faces(const LineWork& lines, std::span<const Vec2> probes) {

@@ -46,8 +46,8 @@ double drawing_size(const LineWork& lines);
 /// Joins the points, with warnings about gaps larger than rounding (1e-9 of the size), between
 /// points and from points to lines, and about edges drawn twice. `bytes` is the size of the text.
 /// Errors: non_finite, too_large.
-Result<int> join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
-                         std::vector<Warning>& warnings);
+Problem join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
+                     std::vector<Warning>& warnings);
 
 /// The faces of joined line work, and which of them lie in which others.
 struct NestedFaces {

@@ -109,8 +109,8 @@ class DxfReader {
   Result<DomainFile> finish() {
     warn_of_entities();
     const double tolerance = join_tolerance * drawing_size(drawing_.lines);
-    const auto joined = join_drawing(drawing_, text_.size(), tolerance, file_.warnings);
-    if (!joined) return joined.error();
+    if (Problem problem = join_drawing(drawing_, text_.size(), tolerance, file_.warnings))
+      return *problem;
     const NestedFaces nested = nest_faces(drawing_.lines);
     if (!nested.planar.chains.empty()) return open_chain_error(drawing_, nested, tolerance);
     if (nested.planar.faces.empty()) return no_outline();

@@ -14,8 +14,7 @@ std::string counts_of(std::size_t loop, std::size_t edges, const char* joint, st
          std::to_string(tags) + (tags == 1 ? " edge tag; " : " edge tags; ");
 }
 
-std::optional<Error> judge_tags(const DomainInput::Region& region, Where where,
-                                std::vector<Warning>& warnings) {
+Problem judge_tags(const DomainInput::Region& region, Where where, std::vector<Warning>& warnings) {
   constexpr std::size_t most_warnings = 20;
   for (std::size_t l = 0; l < region.tags.size(); ++l) {
     const bool has_loop = l < region.loops.size();
@@ -34,7 +33,7 @@ std::optional<Error> judge_tags(const DomainInput::Region& region, Where where,
   return std::nullopt;
 }
 
-std::optional<Error> judge_guide(const DomainInput::Guide& guide, Index number) {
+Problem judge_guide(const DomainInput::Guide& guide, Index number) {
   for (const Vec2 p : guide)
     if (!(p == guide.front())) return std::nullopt;
   Where where;
@@ -51,7 +50,7 @@ std::optional<Error> judge_guide(const DomainInput::Guide& guide, Index number) 
 
 }  // namespace
 
-std::optional<Error> judge_lists(const DomainInput& domain, std::vector<Warning>& warnings) {
+Problem judge_lists(const DomainInput& domain, std::vector<Warning>& warnings) {
   for (std::size_t g = 0; g < domain.guides.size(); ++g)
     if (auto error = judge_guide(domain.guides[g], static_cast<Index>(g))) return error;
   for (std::size_t r = 0; r < domain.regions.size(); ++r) {
