@@ -138,14 +138,16 @@ double drawing_size(const LineWork& lines) {
   return std::max(hi.x - lo.x, hi.y - lo.y);
 }
 
+Error too_many_corners() {
+  return {ErrorCode::too_large,
+          "The curves of this drawing have more than a million corners, and more than the file has "
+          "bytes. Draw them with fewer points, or simpler.",
+          {}};
+}
+
 Problem join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
                      std::vector<Warning>& warnings) {
-  if (is_too_many(drawing.lines, bytes))
-    return Error{
-        ErrorCode::too_large,
-        "The curves of this drawing have more than a million corners, and more than the file has "
-        "bytes. Draw them with fewer points, or simpler.",
-        {}};
+  if (is_too_many(drawing.lines.points.size(), bytes)) return too_many_corners();
   for (const LineWork::Edge& edge : drawing.lines.edges) {
     if (is_finite(drawing.lines.points[edge.a]) && is_finite(drawing.lines.points[edge.b]))
       continue;

@@ -46,7 +46,7 @@ void SvgReader::flatten() {
   const double tolerance = flattening_tolerance(box);
   std::vector<Vec2> points;
   for (SvgOutline& outline : found_.outlines) {
-    if (is_too_many(drawing_.lines, text_.size())) return;  // join_drawing says so
+    if (is_too_many(drawing_.lines.points.size(), text_.size())) return;  // join_drawing says so
     points.clear();
     outline.path.curve.flatten(tolerance, points);
     bool closed = outline.path.closed;
