@@ -7,8 +7,7 @@
 namespace lpq {
 
 /// Errors: hole_outside before nested_or_duplicate_hole. Requires that no edges cross. One ray per
-/// hole through the tree.
-Problem judge_nesting(const Outline& outline, const LoopRoles& roles, const BoxTree& tree,
-                      const Meetings& meetings);
+/// hole, which loops beside the hole do not slow down.
+Problem judge_nesting(const Outline& outline, const LoopRoles& roles, const Meetings& meetings);
 
 }  // namespace lpq
