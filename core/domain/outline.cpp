@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/few_warnings.h"
 #include "base/sort_numbers.h"
 
 namespace lpq {
@@ -40,6 +41,7 @@ class OutlineBuilder {
 
   DomainOptions options_;
   Outline outline_;
+  FewWarnings duplicates_;
 };
 
 std::string chain_name(const Outline& outline, const Chain& chain) {
@@ -136,7 +138,7 @@ Problem OutlineBuilder::report_duplicate(const Chain& chain, Index at, Vec2 p) {
                             chain_name(outline_, chain) + " are the same, " + point_text(p);
   if (options_.strict)
     return Error{ErrorCode::duplicate_point, place + ". Remove one of them.", where};
-  outline_.warnings.push_back({ErrorCode::duplicate_point, place + "; merged.", where});
+  duplicates_.add({ErrorCode::duplicate_point, place + "; merged.", where});
   return {};
 }
 
@@ -229,7 +231,7 @@ Problem OutlineBuilder::merge_points() {
     const Where where = at_point({}, outline_.given[c]);
     if (options_.strict)
       return Error{ErrorCode::duplicate_point, place + ". Remove one of them.", where};
-    outline_.warnings.push_back({ErrorCode::duplicate_point, place + "; merged.", where});
+    duplicates_.add({ErrorCode::duplicate_point, place + "; merged.", where});
   }
   outline_.points.resize(kept);
   outline_.given.resize(kept);
@@ -262,6 +264,7 @@ Result<Outline> OutlineBuilder::build() {
   if (Problem problem = fit()) return *problem;
   number_vertices();
   if (Problem problem = merge_points()) return *problem;
+  outline_.warnings = duplicates_.take();
   return std::move(outline_);
 }
 
@@ -315,10 +318,10 @@ Where where_edges(const Outline& outline, Index edge, Index other) {
   return where;
 }
 
-Where at_point(Where where, Vec2 world) {
+Where at_point(Where where, Vec2 point) {
   where.has_point = true;
-  where.x = world.x;
-  where.y = world.y;
+  where.x = point.x;
+  where.y = point.y;
   return where;
 }
 
