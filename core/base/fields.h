@@ -34,23 +34,21 @@ const char* choice_name(E value) {
 
 /// First option out of range (or NaN), if any.
 template <class O>
-Result<int> check_ranges(const O& options) {
-  Error bad;
-  bool found = false;
+Problem check_ranges(const O& options) {
+  Problem bad;
   each_field(options, [&](const char* name, const auto& value, const FieldInfo& info) {
     using T = std::remove_cvref_t<decltype(value)>;
     if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
       const double number = static_cast<double>(value);
-      if (found || (number >= info.min && number <= info.max)) return;
-      found = true;
-      bad.code = ErrorCode::bad_option;
-      bad.message = std::string("Option ") + name + " is " + short_number(number) +
-                    ", but it must lie between " + short_number(info.min) + " and " +
-                    short_number(info.max) + ".";
+      if (bad || (number >= info.min && number <= info.max)) return;
+      bad = Error{ErrorCode::bad_option,
+                  std::string("Option ") + name + " is " + short_number(number) +
+                      ", but it must lie between " + short_number(info.min) + " and " +
+                      short_number(info.max) + ".",
+                  {}};
     }
   });
-  if (found) return bad;
-  return 0;
+  return bad;
 }
 
 }  // namespace lpq

@@ -66,6 +66,9 @@ struct Error {
   Where where;
 };
 
+/// What a check returns that makes no value: an Error if there is one.
+using Problem = std::optional<Error>;
+
 /// A repair or a shortfall that did not stop the work; listed in the report.
 using Warning = Error;
 

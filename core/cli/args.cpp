@@ -62,7 +62,7 @@ class ArgParser {
   explicit ArgParser(std::span<const std::string_view> args) : args_(args) {}
 
   template <class... Tables>
-  Result<int> parse(std::vector<std::string>& inputs, bool& help, Tables&... tables) {
+  Problem parse(std::vector<std::string>& inputs, bool& help, Tables&... tables) {
     bool only_inputs = false;
     for (next_ = 0; next_ < args_.size() && error_.empty();) {
       const std::string_view arg = args_[next_++];
@@ -77,7 +77,7 @@ class ArgParser {
       }
     }
     if (!error_.empty()) return usage(error_);
-    return 0;
+    return {};
   }
   /// The options that were there, by their flags.
   const std::vector<std::string>& given() const { return given_; }
@@ -160,9 +160,9 @@ std::string option_flag(std::string_view name) {
 Result<MeshArgs> parse_mesh_args(std::span<const std::string_view> args) {
   MeshArgs result;
   ArgParser parser(args);
-  const auto parsed = parser.parse(result.inputs, result.help, result.files, result.options,
-                                   result.surface_options);
-  if (!parsed) return parsed.error();
+  if (const Problem wrong = parser.parse(result.inputs, result.help, result.files, result.options,
+                                         result.surface_options))
+    return *wrong;
   result.given = parser.given();
   return result;
 }
@@ -172,8 +172,8 @@ namespace {
 template <class Args>
 Result<Args> parse_plain(std::span<const std::string_view> args) {
   Args result;
-  const auto parsed = ArgParser(args).parse(result.inputs, result.help, result.files);
-  if (!parsed) return parsed.error();
+  if (const Problem wrong = ArgParser(args).parse(result.inputs, result.help, result.files))
+    return *wrong;
   return result;
 }
 

@@ -56,9 +56,10 @@ Result<std::string> convert(const std::string& input, const std::string& bytes,
   const auto surface = repair_surface(std::move(*soup), {.weld = files.weld});
   if (!surface) return surface.error();
   for (Warning& warning : repair_warnings(surface->report)) warnings.push_back(std::move(warning));
-  const auto written = write_file(
-      files.output, write_surface_obj(surface->mesh, surface->group_names, surface->body_names));
-  if (!written) return written.error();
+  if (const Problem unwritten =
+          write_file(files.output,
+                     write_surface_obj(surface->mesh, surface->group_names, surface->body_names)))
+    return *unwritten;
   return summary(*surface, warnings, files.output);
 }
 

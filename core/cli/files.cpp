@@ -49,7 +49,7 @@ Result<std::string> read_file(const std::string& name) {
   return read_stream(file.get(), name);
 }
 
-Result<int> write_file(const std::string& name, const std::string& content) {
+Problem write_file(const std::string& name, const std::string& content) {
   namespace fs = std::filesystem;
   std::error_code code;
   const fs::path target(name);
@@ -70,7 +70,7 @@ Result<int> write_file(const std::string& name, const std::string& content) {
     fs::remove(temporary, ignored);
     return file_error("Cannot write", name, code ? code.value() : failure);
   }
-  return 0;
+  return {};
 }
 
 std::string file_stem(const std::string& name) {

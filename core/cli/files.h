@@ -12,7 +12,7 @@ Result<std::string> read_file(const std::string& name);
 
 /// Writes a neighbouring temporary file and renames it, so that nobody ever sees half a file and a
 /// failure leaves the old one. Creates missing folders. Errors: io_error.
-Result<int> write_file(const std::string& name, const std::string& content);
+Problem write_file(const std::string& name, const std::string& content);
 
 /// "some/folder/plate.json" -> "plate"
 std::string file_stem(const std::string& name);

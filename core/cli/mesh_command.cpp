@@ -29,9 +29,7 @@ namespace {
 class Writer {
  public:
   void write(const std::string& name, const std::string& content) {
-    if (failure_) return;
-    const auto written = write_file(name, content);
-    if (!written) failure_ = written.error();
+    if (!failure_) failure_ = write_file(name, content);
   }
   const std::optional<Error>& failure() const { return failure_; }
 
@@ -93,8 +91,8 @@ class Run {
   int fail(const Error& error, int code) {
     print_error(streams_, files_.input, error);
     if (!files_.report.empty()) {
-      const auto written = write_file(files_.report, write_error_json(error));
-      if (!written) print_error(streams_, {}, written.error());
+      if (const Problem unwritten = write_file(files_.report, write_error_json(error)))
+        print_error(streams_, {}, *unwritten);
     }
     return code;
   }

@@ -55,18 +55,18 @@ Result<std::string> mesh_surface_file(const RunFiles& files, const MeshArgs& arg
   for (Warning& idle : idle_surface_options(files, args))
     outcome->report.warnings.push_back(std::move(idle));
   if (!files.output.empty()) {
-    const auto written = write_file(
-        files.output, write_mesh(shell_output(*outcome), files.format, args.files.write));
-    if (!written) return written.error();
+    if (const Problem unwritten = write_file(
+            files.output, write_mesh(shell_output(*outcome), files.format, args.files.write)))
+      return *unwritten;
   }
   if (!files.uv.empty()) {
-    const auto written = write_file(files.uv, write_atlas_obj(*outcome));
-    if (!written) return written.error();
+    if (const Problem unwritten = write_file(files.uv, write_atlas_obj(*outcome)))
+      return *unwritten;
   }
   if (!files.report.empty()) {
-    const auto written =
-        write_file(files.report, write_surface_report_json(*outcome, args.surface_options));
-    if (!written) return written.error();
+    if (const Problem unwritten =
+            write_file(files.report, write_surface_report_json(*outcome, args.surface_options)))
+      return *unwritten;
   }
   return surface_report_text(*outcome);
 }

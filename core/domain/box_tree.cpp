@@ -1,8 +1,8 @@
 #include "domain/box_tree.h"
 
 #include <algorithm>
+#include <compare>
 #include <cstdint>
-#include <utility>
 
 namespace lpq {
 namespace {
@@ -29,25 +29,33 @@ std::uint64_t z_order(Vec2 p, const Box& all, double cells_per_length) {
   return spread(cell(p.x - all.lo.x)) | (spread(cell(p.y - all.lo.y)) << 1);
 }
 
+struct Key {
+  Index group;
+  std::uint64_t place;
+  Index item;
+  auto operator<=>(const Key&) const = default;
+};
+
 }  // namespace
 
-BoxTree::BoxTree(std::span<const Box> boxes) {
+BoxTree::BoxTree(std::span<const Box> boxes, std::span<const Index> group) {
   if (boxes.empty()) return;
   const Index n = static_cast<Index>(boxes.size());
   Box all = boxes[0];
   for (const Box& box : boxes) all = united(all, box);
   const double extent = longer_side(all);
   const double cells_per_length = extent > 0 ? 4294967295.0 / extent : 0.0;
-  std::vector<std::pair<std::uint64_t, Index>> keys(n);
+  std::vector<Key> keys(n);
   for (Index i = 0; i < n; ++i)
-    keys[i] = {z_order(midpoint(boxes[i].lo, boxes[i].hi), all, cells_per_length), i};
+    keys[i] = {group.empty() ? none : group[i],
+               z_order(midpoint(boxes[i].lo, boxes[i].hi), all, cells_per_length), i};
   std::sort(keys.begin(), keys.end());
 
   items_.resize(n);
   boxes_.reserve(n + n / 2 + 16);
   level_begin_ = {0, n};
   for (Index i = 0; i < n; ++i) {
-    items_[i] = keys[i].second;
+    items_[i] = keys[i].item;
     boxes_.push_back(boxes[items_[i]]);
   }
   for (Index begin = 0, end = n; end - begin > 1;) {

@@ -15,7 +15,8 @@ namespace lpq {
 class BoxTree {
  public:
   BoxTree() = default;
-  explicit BoxTree(std::span<const Box> boxes);
+  /// Items of one group, where groups are given (#boxes), have nodes of their own.
+  explicit BoxTree(std::span<const Box> boxes, std::span<const Index> group = {});
 
   Index size() const { return static_cast<Index>(items_.size()); }
   Index node_count() const { return static_cast<Index>(boxes_.size()); }

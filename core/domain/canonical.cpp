@@ -16,9 +16,10 @@ class Canonicaliser {
 
  private:
   void number_points();
+  void number_pairs();
   void collect_tags();
-  std::optional<Error> add_loop(Index chain);
-  std::optional<Error> share(Index existing, Index edge, bool reversed, Index region);
+  Problem add_loop(Index chain);
+  Problem share(Index existing, Index edge, bool reversed, Index region);
   void add_polylines();
   void add_points();
   Index point_of(Index corner);
@@ -30,8 +31,8 @@ class Canonicaliser {
   const LoopRoles& roles_;
   Domain domain_;
   std::vector<Index> point_of_vertex_, rank_of_vertex_;
-  std::vector<std::vector<Index>>
-      at_point_;                     // #P  segments of several regions that start or end here
+  std::vector<Index> pair_;          // #edges  the same for edges between the same two vertices
+  std::vector<Index> segment_of_;    // #pairs  the segment between these vertices, or none
   std::vector<Index> segment_edge_;  // #S  edge of the outline it came from
   const std::string no_tag_;
 };
@@ -74,6 +75,19 @@ void Canonicaliser::number_points() {
     if (rank_of_vertex_[v] == none) rank_of_vertex_[v] = rank++;
 }
 
+void Canonicaliser::number_pairs() {
+  const auto ends = [this](Index e) {
+    return std::minmax(outline_.vertex[outline_.edges[e].a], outline_.vertex[outline_.edges[e].b]);
+  };
+  const std::vector<Index> order =
+      sorted_numbers(outline_.edges.size(), [&](Index e, Index f) { return ends(e) < ends(f); });
+  pair_.resize(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i == 0 || ends(order[i - 1]) != ends(order[i])) segment_of_.push_back(none);
+    pair_[order[i]] = static_cast<Index>(segment_of_.size()) - 1;
+  }
+}
+
 Index Canonicaliser::point_of(Index corner) {
   Index& point = point_of_vertex_[outline_.vertex[corner]];
   if (point != none) return point;
@@ -92,7 +106,7 @@ Index Canonicaliser::smallest_corner(const Chain& chain) const {
   return best;
 }
 
-std::optional<Error> Canonicaliser::share(Index existing, Index edge, bool reversed, Index region) {
+Problem Canonicaliser::share(Index existing, Index edge, bool reversed, Index region) {
   Segment& segment = domain_.segments[existing];
   const Edge& e = outline_.edges[edge];
   const bool same_way = segment.a == point_of(reversed ? e.b : e.a);
@@ -111,7 +125,7 @@ std::optional<Error> Canonicaliser::share(Index existing, Index edge, bool rever
   return {};
 }
 
-std::optional<Error> Canonicaliser::add_loop(Index number) {
+Problem Canonicaliser::add_loop(Index number) {
   const Chain& chain = outline_.chains[number];
   const bool outer = roles_.outer[chain.region] == number;
   const bool reversed = (roles_.orientation[number] > 0) != outer;
@@ -124,18 +138,12 @@ std::optional<Error> Canonicaliser::add_loop(Index number) {
     const Edge& e = outline_.edges[edge];
     const Index a = point_of(reversed ? e.b : e.a), b = point_of(reversed ? e.a : e.b);
     if (outline_.input->regions.size() > 1) {
-      at_point_.resize(domain_.points.size());
-      Index existing = none;
-      for (const Index s : at_point_[a]) {
-        const Segment& other = domain_.segments[s];
-        if (other.a == b || other.b == b) existing = s;
-      }
-      if (existing != none) {
-        if (auto problem = share(existing, edge, reversed, chain.region)) return problem;
+      Index& segment = segment_of_[pair_[edge]];
+      if (segment != none) {
+        if (auto problem = share(segment, edge, reversed, chain.region)) return problem;
         continue;
       }
-      at_point_[a].push_back(static_cast<Index>(domain_.segments.size()));
-      at_point_[b].push_back(static_cast<Index>(domain_.segments.size()));
+      segment = static_cast<Index>(domain_.segments.size());
     }
     domain_.segments.push_back({.a = a,
                                 .b = b,
@@ -179,6 +187,7 @@ Result<Domain> Canonicaliser::run() {
     domain_.regions.push_back(region.name);
   collect_tags();
   number_points();
+  if (domain_.regions.size() > 1) number_pairs();
   std::vector<Vec2> smallest(outline_.loop_count);
   for (Index l = 0; l < outline_.loop_count; ++l)
     smallest[l] = outline_.points[smallest_corner(outline_.chains[l])];

@@ -1,7 +1,6 @@
 #include "domain/conflicts.h"
 
-#include "domain/box_tree.h"
-#include "geometry/predicates.h"
+#include "domain/edge_pairs.h"
 #include "geometry/segment.h"
 
 namespace lpq {
@@ -13,23 +12,21 @@ bool in_conflict(std::span<const Vec2> points, const Segment& s, const Segment& 
     return meet(points[s.a], points[s.b], points[t.a], points[t.b]) != Meeting::apart;
   if ((aa && bb) || (ab && ba)) return true;
   const Vec2 from = points[aa || ab ? s.a : s.b];
-  const Vec2 p = points[aa || ab ? s.b : s.a], q = points[aa || ba ? t.b : t.a];
-  return orient2d(from, p, q) == 0 && (p < from) == (q < from);
+  return same_direction(from, points[aa || ab ? s.b : s.a], points[aa || ba ? t.b : t.a]);
 }
 
 }  // namespace
 
 std::vector<Index> meeting_edges(std::span<const Vec2> points, std::span<const Segment> edges) {
-  std::vector<Box> boxes;
-  boxes.reserve(edges.size());
-  for (const Segment& e : edges) boxes.push_back(box_of(points[e.a], points[e.b]));
-  const BoxTree tree(boxes);
+  std::vector<EdgePairs::Ends> ends;
+  ends.reserve(edges.size());
+  for (const Segment& e : edges) ends.push_back({e.a, e.b});
+  const EdgePairs pairs(points, std::move(ends));
   std::vector<Index> found;
   for (Index i = 0; i < static_cast<Index>(edges.size()); ++i) {
     bool meets = false;
-    tree.walk(
-        [&](Index, const Box& box) { return !meets && overlap(box, boxes[i]); },
-        [&](Index j) { meets = meets || (j != i && in_conflict(points, edges[i], edges[j])); });
+    pairs.each_near(
+        i, [&](Index j) { meets = meets || (j != i && in_conflict(points, edges[i], edges[j])); });
     if (meets) found.push_back(i);
   }
   return found;

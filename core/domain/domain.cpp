@@ -17,7 +17,7 @@ Result<Domain> make_domain(const DomainInput& input, const DomainOptions& option
   if (!roles) return roles.error();
   Result<Domain> domain = make_canonical(*outline, *roles);
   if (!domain) return domain;
-  if (const std::optional<Error> problem = settle_sides(*domain)) return *problem;
+  if (const Problem problem = settle_sides(*domain)) return *problem;
   return domain;
 }
 

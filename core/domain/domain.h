@@ -73,7 +73,8 @@ struct Domain {
 
 /// Judges and canonicalises the input. Finite, simple, disjoint loops with holes strictly inside,
 /// regions that only share whole edges, polylines and points strictly inside.
-/// Errors: see ErrorCode; `where` names loops and edges as given. Cost O(n log n) for n segments.
+/// Errors: see ErrorCode; `where` names loops and edges as given. Cost about n log n
+/// for n segments.
 Result<Domain> make_domain(const DomainInput& input, const DomainOptions& options = {});
 
 }  // namespace lpq

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "base/sort_numbers.h"
-#include "domain/box_tree.h"
 #include "domain/meetings.h"
 #include "domain/nesting.h"
 #include "geometry/polygon.h"
@@ -15,8 +14,6 @@
 
 namespace lpq {
 namespace {
-
-using Problem = std::optional<Error>;
 
 std::string capitalised(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 32);
@@ -138,13 +135,12 @@ LoopRoles measure(const Outline& outline, bool outer_first) {
 }  // namespace
 
 Result<LoopRoles> judge_loops(const Outline& outline, bool outer_first) {
-  const BoxTree tree = edge_tree(outline);
-  const Meetings meetings = find_meetings(outline, tree);
+  const Meetings meetings = find_meetings(outline);
   if (Problem problem = judge_crossing(outline, meetings.crossing)) return *problem;
   if (Problem problem = judge_point_counts(outline)) return *problem;
   LoopRoles roles = measure(outline, outer_first);
   if (Problem problem = judge_areas(outline, roles)) return *problem;
-  if (Problem problem = judge_nesting(outline, roles, tree, meetings)) return *problem;
+  if (Problem problem = judge_nesting(outline, roles, meetings)) return *problem;
   if (Problem problem = judge_overlap(outline, meetings.overlap)) return *problem;
   if (Problem problem = judge_touch(outline, meetings.touch)) return *problem;
   if (Problem problem = judge_shared_corner(outline, meetings.shared_corner)) return *problem;

@@ -17,7 +17,7 @@ struct LoopRoles {
 
 /// One error is reported, the gravest first: crossing edges, loops without extent, misplaced holes,
 /// overlapping edges, touching. Policy: loops of one region may not even touch; loops of different
-/// regions may share whole edges and corners. Cost O(n log n).
+/// regions may share whole edges and corners. Cost about n log n.
 Result<LoopRoles> judge_loops(const Outline& outline, bool outer_first);
 
 }  // namespace lpq

@@ -1,6 +1,6 @@
 #include "domain/meetings.h"
 
-#include "geometry/predicates.h"
+#include "domain/edge_pairs.h"
 #include "geometry/segment.h"
 
 namespace lpq {
@@ -8,7 +8,7 @@ namespace {
 
 class MeetingSearch {
  public:
-  MeetingSearch(const Outline& outline, const BoxTree& tree) : outline_(outline), tree_(tree) {
+  explicit MeetingSearch(const Outline& outline) : outline_(outline) {
     found_.on_neighbour.assign(outline.points.size(), 0);
   }
   Meetings run();
@@ -21,17 +21,21 @@ class MeetingSearch {
   Index region_of(const Edge& e) const { return outline_.chains[e.chain].region; }
 
   const Outline& outline_;
-  const BoxTree& tree_;
   Meetings found_;
 };
 
-void keep_first(EdgePair& kept, Index e, Index f) {
-  if (!kept.found() || e < kept.edge || (e == kept.edge && f < kept.other)) kept = {e, f};
+EdgePairs pairs_of(const Outline& outline) {
+  std::vector<Vec2> place(outline.vertex_count);
+  for (std::size_t c = 0; c < outline.points.size(); ++c)
+    place[outline.vertex[c]] = outline.points[c];
+  std::vector<EdgePairs::Ends> edges;
+  edges.reserve(outline.edges.size());
+  for (const Edge& e : outline.edges) edges.push_back({outline.vertex[e.a], outline.vertex[e.b]});
+  return EdgePairs(place, std::move(edges));
 }
 
-// Two edges from one vertex lie on each other if they leave in the same direction.
-bool same_direction(Vec2 from, Vec2 p, Vec2 q) {
-  return orient2d(from, p, q) == 0 && (p < from) == (q < from);
+void keep_first(EdgePair& kept, Index e, Index f) {
+  if (!kept.found() || e < kept.edge || (e == kept.edge && f < kept.other)) kept = {e, f};
 }
 
 void MeetingSearch::mark_ends(const Edge& e, const Edge& f) {
@@ -89,12 +93,11 @@ void MeetingSearch::find_shared_corners() {
 }
 
 Meetings MeetingSearch::run() {
+  const EdgePairs pairs = pairs_of(outline_);
   for (Index e = 0; e < static_cast<Index>(outline_.edges.size()); ++e) {
-    const Box box = box_of(at(outline_.edges[e].a), at(outline_.edges[e].b));
-    tree_.walk([&](Index, const Box& other) { return overlap(box, other); },
-               [&](Index f) {
-                 if (f > e) compare(e, f);
-               });
+    pairs.each_near(e, [&](Index f) {
+      if (f > e) compare(e, f);
+    });
     if (found_.crossing.found()) break;
   }
   find_shared_corners();
@@ -103,16 +106,6 @@ Meetings MeetingSearch::run() {
 
 }  // namespace
 
-BoxTree edge_tree(const Outline& outline) {
-  std::vector<Box> boxes;
-  boxes.reserve(outline.edges.size());
-  for (const Edge& e : outline.edges)
-    boxes.push_back(box_of(outline.points[e.a], outline.points[e.b]));
-  return BoxTree(boxes);
-}
-
-Meetings find_meetings(const Outline& outline, const BoxTree& tree) {
-  return MeetingSearch(outline, tree).run();
-}
+Meetings find_meetings(const Outline& outline) { return MeetingSearch(outline).run(); }
 
 }  // namespace lpq

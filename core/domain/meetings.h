@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "base/index.h"
-#include "domain/box_tree.h"
 #include "domain/outline.h"
 
 namespace lpq {
@@ -24,9 +23,7 @@ struct Meetings {
   std::vector<char> on_neighbour;  // #C  the corner lies on another loop, or again on its own
 };
 
-BoxTree edge_tree(const Outline& outline);
-
 /// Exact, about n log n for n edges. Ends early once a crossing is found.
-Meetings find_meetings(const Outline& outline, const BoxTree& tree);
+Meetings find_meetings(const Outline& outline);
 
 }  // namespace lpq

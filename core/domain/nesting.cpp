@@ -5,23 +5,53 @@
 #include <algorithm>
 
 #include "base/sort_numbers.h"
+#include "domain/box_tree.h"
 #include "geometry/predicates.h"
 
 namespace lpq {
 namespace {
 
-/// The loops of the corner's region, other than its own, that contain the corner.
-std::vector<Index> loops_around(const Outline& outline, const BoxTree& tree, Index corner,
-                                Index own) {
-  const Vec2 q = outline.points[corner];
-  const Index region = outline.chains[own].region;
+/// The loops of one region, chains begin .. end-1, and rays through them.
+class RegionRays {
+ public:
+  RegionRays(const Outline& outline, Index begin, Index end);
+  /// The loops, other than its own, that contain the corner.
+  std::vector<Index> loops_around(Index corner, Index own) const;
+
+ private:
+  const Outline& outline_;
+  Index first_edge_;
+  BoxTree tree_;               // of the edges
+  std::vector<double> reach_;  // #nodes  how far to the right the loops of its edges go
+};
+
+RegionRays::RegionRays(const Outline& outline, Index begin, Index end)
+    : outline_(outline), first_edge_(outline.chains[begin].edge_begin) {
+  std::vector<Box> boxes;
+  std::vector<double> reach;
+  for (Index l = begin; l < end; ++l) {
+    const Chain& loop = outline.chains[l];
+    for (Index e = loop.edge_begin; e < loop.edge_end; ++e)
+      boxes.push_back(
+          box_of(outline.points[outline.edges[e].a], outline.points[outline.edges[e].b]));
+    reach.resize(boxes.size(), box_of(outline.corners(loop)).hi.x);
+  }
+  tree_ = BoxTree(boxes);
+  reach_ = tree_.summarise<double>(reach, [](double x, double y) { return std::max(x, y); });
+}
+
+// A loop that ends to the left of the corner is not followed: an even number of hits is none.
+std::vector<Index> RegionRays::loops_around(Index corner, Index own) const {
+  const Vec2 q = outline_.points[corner];
   std::vector<Index> hits;
-  tree.walk(
-      [q](Index, const Box& box) { return box.lo.x <= q.x && box.lo.y <= q.y && q.y <= box.hi.y; },
+  tree_.walk(
+      [&](Index node, const Box& box) {
+        return box.lo.x <= q.x && q.x <= reach_[node] && box.lo.y <= q.y && q.y <= box.hi.y;
+      },
       [&](Index e) {
-        const Edge& edge = outline.edges[e];
-        if (edge.chain == own || outline.chains[edge.chain].region != region) return;
-        const Vec2 a = outline.points[edge.a], b = outline.points[edge.b];
+        const Edge& edge = outline_.edges[first_edge_ + e];
+        if (edge.chain == own) return;
+        const Vec2 a = outline_.points[edge.a], b = outline_.points[edge.b];
         if ((a.y > q.y) == (b.y > q.y)) return;
         if ((b.y > a.y) == (orient2d(a, b, q) < 0)) hits.push_back(edge.chain);
       });
@@ -72,8 +102,8 @@ Error nested(const Outline& outline, const Chain& hole, const Chain& other, Inde
 }
 
 /// Holes all of whose corners lie on neighbours: they can still be told when they are equal.
-std::optional<Error> find_duplicate(const Outline& outline, const LoopRoles& roles,
-                                    const std::vector<Index>& contact_holes) {
+Problem find_duplicate(const Outline& outline, const LoopRoles& roles,
+                       const std::vector<Index>& contact_holes) {
   std::vector<std::pair<std::vector<Index>, Index>> prints;
   for (const Index l : contact_holes)
     prints.push_back({fingerprint(outline, outline.chains[l]), l});
@@ -88,30 +118,54 @@ std::optional<Error> find_duplicate(const Outline& outline, const LoopRoles& rol
   return {};
 }
 
+class NestingJudge {
+ public:
+  NestingJudge(const Outline& outline, const LoopRoles& roles, const Meetings& meetings)
+      : outline_(outline), roles_(roles), meetings_(meetings) {}
+
+  Problem run() {
+    const std::vector<Chain>& chains = outline_.chains;
+    for (Index begin = 0, end = 0; begin < outline_.loop_count; begin = end) {
+      while (end < outline_.loop_count && chains[end].region == chains[begin].region) ++end;
+      if (end - begin < 2) continue;
+      const RegionRays rays(outline_, begin, end);
+      for (Index l = begin; l < end; ++l)
+        if (Problem problem = judge_hole(rays, l)) return problem;
+    }
+    if (inside_hole_) return inside_hole_;
+    return find_duplicate(outline_, roles_, contact_holes_);
+  }
+
+ private:
+  Problem judge_hole(const RegionRays& rays, Index l) {
+    const Chain& hole = outline_.chains[l];
+    const Index outer = roles_.outer[hole.region];
+    if (l == outer) return {};
+    const Index corner = free_corner(hole, meetings_);
+    if (corner == none) {
+      contact_holes_.push_back(l);
+      return {};
+    }
+    const std::vector<Index> around = rays.loops_around(corner, l);
+    if (!std::binary_search(around.begin(), around.end(), outer))
+      return outside(outline_, hole, outline_.chains[outer], corner);
+    for (const Index other : around)
+      if (other != outer && !inside_hole_)
+        inside_hole_ = nested(outline_, hole, outline_.chains[other], corner, "lies inside");
+    return {};
+  }
+
+  const Outline& outline_;
+  const LoopRoles& roles_;
+  const Meetings& meetings_;
+  Problem inside_hole_;  // the first; told only if no hole lies outside
+  std::vector<Index> contact_holes_;
+};
+
 }  // namespace
 
-std::optional<Error> judge_nesting(const Outline& outline, const LoopRoles& roles,
-                                   const BoxTree& tree, const Meetings& meetings) {
-  std::optional<Error> inside_hole;
-  std::vector<Index> contact_holes;
-  for (Index l = 0; l < outline.loop_count; ++l) {
-    const Chain& hole = outline.chains[l];
-    const Index outer = roles.outer[hole.region];
-    if (l == outer) continue;
-    const Index corner = free_corner(hole, meetings);
-    if (corner == none) {
-      contact_holes.push_back(l);
-      continue;
-    }
-    const std::vector<Index> around = loops_around(outline, tree, corner, l);
-    if (!std::binary_search(around.begin(), around.end(), outer))
-      return outside(outline, hole, outline.chains[outer], corner);
-    for (const Index other : around)
-      if (other != outer && !inside_hole)
-        inside_hole = nested(outline, hole, outline.chains[other], corner, "lies inside");
-  }
-  if (inside_hole) return inside_hole;
-  return find_duplicate(outline, roles, contact_holes);
+Problem judge_nesting(const Outline& outline, const LoopRoles& roles, const Meetings& meetings) {
+  return NestingJudge(outline, roles, meetings).run();
 }
 
 }  // namespace lpq

@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <cstdio>
-#include <optional>
 
+#include "base/few_warnings.h"
 #include "base/sort_numbers.h"
 
 namespace lpq {
@@ -28,7 +28,6 @@ class OutlineBuilder {
   Result<Outline> build();
 
  private:
-  using Problem = std::optional<Error>;
   Problem check_counts() const;
   Problem check_tags() const;
   Problem check_numbers() const;
@@ -42,13 +41,14 @@ class OutlineBuilder {
 
   DomainOptions options_;
   Outline outline_;
+  FewWarnings duplicates_;
 };
 
 std::string chain_name(const Outline& outline, const Chain& chain) {
   return chain.is_loop() ? loop_name(outline, chain) : "polyline " + std::to_string(chain.number);
 }
 
-OutlineBuilder::Problem OutlineBuilder::check_counts() const {
+Problem OutlineBuilder::check_counts() const {
   std::size_t count = input().points.size();
   for (const DomainInput::Polyline& line : input().polylines) count += line.points.size();
   bool any_loop = false;
@@ -74,7 +74,7 @@ OutlineBuilder::Problem OutlineBuilder::check_counts() const {
   return {};
 }
 
-OutlineBuilder::Problem OutlineBuilder::check_tags() const {
+Problem OutlineBuilder::check_tags() const {
   for (std::size_t r = 0; r < input().regions.size(); ++r) {
     const DomainInput::Region& region = input().regions[r];
     for (std::size_t l = 0; l < region.tags.size(); ++l) {
@@ -98,7 +98,7 @@ Error not_finite(const std::string& what, Where where) {
           where};
 }
 
-OutlineBuilder::Problem OutlineBuilder::check_numbers() const {
+Problem OutlineBuilder::check_numbers() const {
   const auto bad = [](const std::vector<Vec2>& points) {
     for (std::size_t i = 0; i < points.size(); ++i)
       if (!is_finite(points[i])) return static_cast<Index>(i);
@@ -131,19 +131,19 @@ OutlineBuilder::Problem OutlineBuilder::check_numbers() const {
   return {};
 }
 
-OutlineBuilder::Problem OutlineBuilder::report_duplicate(const Chain& chain, Index at, Vec2 p) {
+Problem OutlineBuilder::report_duplicate(const Chain& chain, Index at, Vec2 p) {
   Where where = at_point(where_loop(chain), p);
   where.edge = at;
   const std::string place = "Points " + std::to_string(at) + " and the one after it in " +
                             chain_name(outline_, chain) + " are the same, " + point_text(p);
   if (options_.strict)
     return Error{ErrorCode::duplicate_point, place + ". Remove one of them.", where};
-  outline_.warnings.push_back({ErrorCode::duplicate_point, place + "; merged.", where});
+  duplicates_.add({ErrorCode::duplicate_point, place + "; merged.", where});
   return {};
 }
 
 // Of a run of equal points the first is kept; the edge that leaves the run starts at its last.
-OutlineBuilder::Problem OutlineBuilder::add_chain(Chain chain, const std::vector<Vec2>& points) {
+Problem OutlineBuilder::add_chain(Chain chain, const std::vector<Vec2>& points) {
   Index n = static_cast<Index>(points.size());
   if (chain.is_loop() && n > 1 && points[n - 1] == points[0]) --n;
   chain.begin = static_cast<Index>(outline_.given.size());
@@ -176,7 +176,7 @@ OutlineBuilder::Problem OutlineBuilder::add_chain(Chain chain, const std::vector
   return {};
 }
 
-OutlineBuilder::Problem OutlineBuilder::fit() {
+Problem OutlineBuilder::fit() {
   outline_.frame = fit_frame(outline_.given);
   outline_.points.reserve(outline_.given.size());
   for (const Vec2 world : outline_.given) {
@@ -211,7 +211,7 @@ void OutlineBuilder::number_vertices() {
   ++outline_.vertex_count;
 }
 
-OutlineBuilder::Problem OutlineBuilder::merge_points() {
+Problem OutlineBuilder::merge_points() {
   std::vector<Index> first(outline_.vertex_count, none);
   Index kept = outline_.first_point;
   for (Index c = outline_.first_point; c < static_cast<Index>(outline_.points.size()); ++c) {
@@ -231,7 +231,7 @@ OutlineBuilder::Problem OutlineBuilder::merge_points() {
     const Where where = at_point({}, outline_.given[c]);
     if (options_.strict)
       return Error{ErrorCode::duplicate_point, place + ". Remove one of them.", where};
-    outline_.warnings.push_back({ErrorCode::duplicate_point, place + "; merged.", where});
+    duplicates_.add({ErrorCode::duplicate_point, place + "; merged.", where});
   }
   outline_.points.resize(kept);
   outline_.given.resize(kept);
@@ -264,6 +264,7 @@ Result<Outline> OutlineBuilder::build() {
   if (Problem problem = fit()) return *problem;
   number_vertices();
   if (Problem problem = merge_points()) return *problem;
+  outline_.warnings = duplicates_.take();
   return std::move(outline_);
 }
 
@@ -317,10 +318,10 @@ Where where_edges(const Outline& outline, Index edge, Index other) {
   return where;
 }
 
-Where at_point(Where where, Vec2 world) {
+Where at_point(Where where, Vec2 point) {
   where.has_point = true;
-  where.x = world.x;
-  where.y = world.y;
+  where.x = point.x;
+  where.y = point.y;
   return where;
 }
 

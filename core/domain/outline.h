@@ -57,10 +57,12 @@ std::string region_name(const DomainInput& input, Index region);
 /// "(1.5, -2)" in the caller's units.
 std::string point_text(Vec2 world);
 
-/// Where filled in for an edge, for a pair of edges, and with a point given in the unit frame.
+/// Where filled in for an edge, for a pair of edges, and for a loop.
 Where where_edge(const Outline& outline, Index edge);
 Where where_edges(const Outline& outline, Index edge, Index other);
 Where where_loop(const Chain& chain);
-Where at_point(Where where, Vec2 world);
+/// The same with a point: in the caller's units, but for errors that prepare() takes there from the
+/// unit frame (of sample_boundary and make_fields).
+Where at_point(Where where, Vec2 point);
 
 }  // namespace lpq

@@ -38,7 +38,7 @@ class Refinement {
   Result<BoundaryMesh> run();
 
  private:
-  std::optional<Error> count(const BoundarySpacing& spacing);
+  Problem count(const BoundarySpacing& spacing);
   Result<std::vector<Index>> choose_pieces() const;
   Result<BoundaryMesh> divide(const BoundarySpacing& spacing, bool& again);
   bool keep_meeting_whole(const BoundaryMesh& mesh, const Division& division);
@@ -108,7 +108,7 @@ Ruler Refinement::measure(Index segment, const BoundarySpacing& spacing) const {
   return ruler;
 }
 
-std::optional<Error> Refinement::count(const BoundarySpacing& spacing) {
+Problem Refinement::count(const BoundarySpacing& spacing) {
   double total = 0;
   for (Index i = 0; i < static_cast<Index>(segments_.size()); ++i) {
     const double l = distance(start(i), end(i));
@@ -234,7 +234,7 @@ Result<BoundaryMesh> Refinement::run() {
   const BoundarySpacing spacing(domain_, segments_,
                                 {.size = options_.size, .growth = options_.growth}, options_.sizes);
   whole_.assign(segments_.size(), 0);
-  if (std::optional<Error> problem = count(spacing)) return *problem;
+  if (Problem problem = count(spacing)) return *problem;
   // Every round makes another segment whole, and the given segments do not meet.
   for (;;) {
     bool again = false;

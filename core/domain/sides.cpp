@@ -5,6 +5,7 @@
 #include "domain/sides.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "base/csr.h"
@@ -18,8 +19,6 @@
 
 namespace lpq {
 namespace {
-
-using Problem = std::optional<Error>;
 
 constexpr Index unknown = -2;
 
@@ -40,6 +39,7 @@ class SideSettler {
   };
 
   void build_fans();
+  void build_tree();
   void sort_fan(Index vertex, std::span<Spoke> fan) const;
   Problem settle_fan(Index vertex);
   void give_polyline(Index segment, Index region);
@@ -54,6 +54,7 @@ class SideSettler {
 
   Domain& domain_;
   BoxTree tree_;
+  std::vector<double> reach_;  // #nodes of it  how far to the right the components below go
   Csr<Spoke> fans_;
   DisjointSets component_;
   std::vector<Index> smallest_;  // #P  of the component with this root
@@ -95,6 +96,20 @@ void SideSettler::build_fans() {
   for (const Segment& s : domain_.segments) component_.unite(s.a, s.b);
 }
 
+// What ends to the left of a point does not contain it: rays to the left leave it out.
+void SideSettler::build_tree() {
+  std::vector<Box> boxes;
+  std::vector<double> of_component(domain_.points.size(), -HUGE_VAL), reach;
+  for (const Segment& s : domain_.segments) {
+    boxes.push_back(box_of(at(s.a), at(s.b)));
+    double& right = of_component[component_.root(s.a)];
+    right = std::max(right, boxes.back().hi.x);
+  }
+  for (const Segment& s : domain_.segments) reach.push_back(of_component[component_.root(s.a)]);
+  tree_ = BoxTree(boxes);
+  reach_ = tree_.summarise<double>(reach, [](double x, double y) { return std::max(x, y); });
+}
+
 void SideSettler::sort_fan(Index vertex, std::span<Spoke> fan) const {
   const Counterclockwise before{at(vertex)};
   std::vector<Spoke> sorted(fan.begin(), fan.end());
@@ -133,7 +148,9 @@ Index SideSettler::region_at(Index vertex, Problem& problem) {
   const Index own = component_.root(vertex);
   std::vector<Index> sides;
   tree_.walk(
-      [q](Index, const Box& box) { return box.lo.x <= q.x && box.lo.y <= q.y && q.y <= box.hi.y; },
+      [&](Index node, const Box& box) {
+        return box.lo.x <= q.x && q.x <= reach_[node] && box.lo.y <= q.y && q.y <= box.hi.y;
+      },
       [&](Index i) {
         const Segment& s = domain_.segments[i];
         if (is_polyline(s) || component_.root(s.a) == own) return;
@@ -260,9 +277,7 @@ Problem SideSettler::run() {
   const bool plain = domain_.regions.size() == 1 && domain_.segments.back().region != none;
   const bool points = fans_.row(n - 1).empty();  // isolated points come last
   if (plain && !points) return {};
-  std::vector<Box> boxes;
-  for (const Segment& s : domain_.segments) boxes.push_back(box_of(at(s.a), at(s.b)));
-  tree_ = BoxTree(boxes);
+  build_tree();
   for (Index v = 0; v < n; ++v)
     if (fans_.row(v).size() > 2)
       if (Problem problem = settle_fan(v)) return problem;
@@ -273,6 +288,6 @@ Problem SideSettler::run() {
 
 }  // namespace
 
-std::optional<Error> settle_sides(Domain& domain) { return SideSettler(domain).run(); }
+Problem settle_sides(Domain& domain) { return SideSettler(domain).run(); }
 
 }  // namespace lpq

@@ -2,8 +2,6 @@
 // the place of polylines and points.
 #pragma once
 
-#include <optional>
-
 #include "domain/domain.h"
 
 namespace lpq {
@@ -11,6 +9,6 @@ namespace lpq {
 /// Checks that the sides of all loop segments agree with each other, gives polylines their region
 /// and checks that they and the isolated points lie inside. Errors: region_conflict; touching (a
 /// point on an edge); hole_outside (a polyline or point outside the domain).
-std::optional<Error> settle_sides(Domain& domain);
+Problem settle_sides(Domain& domain);
 
 }  // namespace lpq

@@ -46,7 +46,7 @@ Error error_at(ErrorCode code, std::string message, Vec2 at) {
 Error bad_size(std::string message) { return {ErrorCode::bad_size, std::move(message), {}}; }
 
 // Points so far away that their squares overflow are as good as infinite.
-std::optional<Error> judge_guide(const DomainInput::Guide& guide, Index number) {
+Problem judge_guide(const DomainInput::Guide& guide, Index number) {
   const std::string name = "guide " + std::to_string(number);
   Error error{ErrorCode::bad_option, {}, {}};
   error.where.guide = number;
@@ -70,7 +70,7 @@ std::optional<Error> judge_guide(const DomainInput::Guide& guide, Index number) 
   return error;
 }
 
-std::optional<Error> judge(const FieldOptions& options) {
+Problem judge(const FieldOptions& options) {
   if (!(options.size == 0 || good_size(options.size)))
     return bad_size("The mesh size must be a positive number.");
   if (!good_size(options.growth)) return bad_size("The growth of sizes must be positive.");
@@ -128,8 +128,8 @@ void apply_samples(const TriMesh& mesh, const FieldOptions& options, std::span<d
   }
 }
 
-std::optional<Error> complete_sizes(const TriMesh& mesh, const BoundaryMesh& boundary,
-                                    const FieldOptions& options, std::span<double> h) {
+Problem complete_sizes(const TriMesh& mesh, const BoundaryMesh& boundary,
+                       const FieldOptions& options, std::span<double> h) {
   for (std::size_t v = 0; v < h.size(); ++v)
     if (!(h[v] > 0) || (options.size_function && !std::isfinite(h[v])))
       return error_at(ErrorCode::bad_size, "The mesh size is not a positive number here.",

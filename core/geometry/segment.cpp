@@ -35,6 +35,10 @@ Meeting meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   return Meeting::touching;
 }
 
+bool same_direction(Vec2 from, Vec2 p, Vec2 q) {
+  return orient2d(from, p, q) == 0 && (p < from) == (q < from);
+}
+
 bool on_segment(Vec2 p, Vec2 a, Vec2 b) {
   return p.x >= std::min(a.x, b.x) && p.x <= std::max(a.x, b.x) && p.y >= std::min(a.y, b.y) &&
          p.y <= std::max(a.y, b.y) && orient2d(a, b, p) == 0;

@@ -15,6 +15,10 @@ enum class Meeting {
 /// Exact. Requires a != b and c != d.
 Meeting meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 
+/// Whether p and q, both other than `from`, lie in the same direction from it: the segments to them
+/// lie on each other. Exact.
+bool same_direction(Vec2 from, Vec2 p, Vec2 q);
+
 /// True if p lies on the closed segment, exactly.
 bool on_segment(Vec2 p, Vec2 a, Vec2 b);
 

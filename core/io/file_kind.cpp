@@ -201,7 +201,7 @@ std::string_view without_blanks(std::string_view bytes) {
   return bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
 }
 
-std::optional<Error> empty_file(std::string_view bytes) {
+Problem empty_file(std::string_view bytes) {
   if (bytes.empty()) return Error{ErrorCode::empty, "The file is empty.", {}};
   if (without_blanks(bytes).empty())
     return Error{ErrorCode::empty, "There is nothing but blanks in the file.", {}};

@@ -25,7 +25,7 @@ inline Error error_at(std::string_view text, std::size_t byte, std::string messa
 
 /// The refusal of text that has two bytes a character, as some editors on Windows save it (or
 /// four): told by its byte order mark, or by first characters that are half a zero.
-inline std::optional<Error> refuse_utf16(std::string_view text) {
+inline Problem refuse_utf16(std::string_view text) {
   constexpr std::size_t looked_at = 8;
   const std::string_view start = text.substr(0, 2);
   if (start == "\xFF\xFE" || start == "\xFE\xFF") {

@@ -7,6 +7,7 @@
 #include "base/words.h"
 #include "field/make_fields.h"
 #include "geometry/box.h"
+#include "pipeline/user_fields.h"
 
 namespace lpq {
 namespace {
@@ -55,7 +56,7 @@ double target_size(const Domain& domain, const Options& options) {
 
 /// Squares of lengths, of which the final check of a mesh is made, must be within what doubles
 /// hold.
-std::optional<Error> judge_scale(const Domain& domain, double size) {
+Problem judge_scale(const Domain& domain, double size) {
   constexpr double least = 1e-153, greatest = 1e153;
   const double across = domain.frame.length_to_world(diagonal(domain));
   const double finest = size > 0 ? domain.frame.length_to_world(size) : across;
@@ -94,18 +95,6 @@ bool requires_even(const Options& options) {
   return !options.keep_boundary || options.allow_added_point;
 }
 
-// The caller's sizes at points that make sense; what the others are is told with the fields.
-std::vector<SizeSample> sizes_at_points(const UnitFrame& frame, const UserFields& user) {
-  std::vector<SizeSample> sizes;
-  if (user.size) return sizes;  // wins over them
-  for (const UserFields::SizeAt& s : user.sizes)
-    // Far beyond the domain the unit frame may overflow.
-    if (const SizeSample at{frame.to_frame(s.position), frame.length_to_frame(s.h)};
-        is_finite(at.position) && at.h > 0 && !std::isinf(at.h))
-      sizes.push_back(at);
-  return sizes;
-}
-
 BoundaryOptions boundary_options(const Domain& domain, const Options& options,
                                  const UserFields& user, double size, double growth,
                                  Index most_nodes) {
@@ -117,7 +106,8 @@ BoundaryOptions boundary_options(const Domain& domain, const Options& options,
           .allow_added_point = options.allow_added_point,
           // a quad has four edges: more nodes than that mean more elements than allowed
           .max_nodes = std::min(most_nodes, Index{4} * options.max_elements),
-          .sizes = sizes_at_points(domain.frame, user)};
+          // a size function wins over them
+          .sizes = user.size ? std::vector<SizeSample>{} : samples_in_frame(user, domain.frame)};
 }
 
 // The caller's fields, moved into the unit frame.
@@ -126,15 +116,14 @@ FieldOptions field_options(const UnitFrame& frame, const UserFields& user, doubl
   FieldOptions fields;
   fields.size = size;
   fields.growth = growth;
-  for (const UserFields::SizeAt& s : user.sizes)
-    fields.sizes.push_back({frame.to_frame(s.position), frame.length_to_frame(s.h)});
+  fields.sizes = samples_in_frame(user, frame);
   for (const UserFields::Guide& guide : user.guides) {
     fields.guides.emplace_back();
     for (const Vec2 p : guide) fields.guides.back().push_back(frame.to_frame(p));
   }
   if (user.size)
     fields.size_function = [frame, size_at = user.size](Vec2 p) {
-      return frame.length_to_frame(size_at(frame.to_world(p)));
+      return size_in_frame(size_at(frame.to_world(p)), frame);
     };
   fields.max_quads = most_quads;
   fields.function_detail = frame.length_to_frame(user.detail);
@@ -208,13 +197,13 @@ Result<Graded> grade_as_affordable(const Domain& domain, const Options& options,
   return grade(domain, options, user, size, growth);
 }
 
-Result<bool> judge_seeds(const std::vector<Vec2>& seeds) {
+Problem judge_seeds(const std::vector<Vec2>& seeds) {
   for (std::size_t i = 0; i < seeds.size(); ++i)
     if (!is_finite(seeds[i]))
       return Error{ErrorCode::non_finite,
                    "Seed point " + std::to_string(i) + " is not a pair of finite numbers.",
                    {}};
-  return true;
+  return {};
 }
 
 // What the caller says now stands in for what came with the domain.
@@ -238,12 +227,12 @@ Result<Preparation> prepare(const DomainInput& input, const Options& options,
                             const UserFields& user) {
   if (!(options.size >= 0) || std::isinf(options.size))
     return size_error("The mesh size must be a positive finite number, or 0 for the domain's own.");
-  if (const auto ranges = check_ranges(options); !ranges) return ranges.error();
+  if (const Problem range = check_ranges(options)) return *range;
 
   if (options.growth > 0 && options.growth < least_growth)
     return Error{ErrorCode::bad_option, "The growth of sizes must be 0 or at least 0.01.", {}};
   const UserFields given = with_those_of(input, user);
-  if (const auto finite = judge_seeds(given.seeds); !finite) return finite.error();
+  if (const Problem problem = judge_seeds(given.seeds)) return *problem;
 
   Preparation prepared;
   auto domain = make_domain(input, {.strict = options.strict});
@@ -253,6 +242,7 @@ Result<Preparation> prepare(const DomainInput& input, const Options& options,
   const auto size = judge_size(prepared.domain, options);
   if (!size) return size.error();
   const UnitFrame& frame = prepared.domain.frame;
+  if (const Problem problem = judge_user_fields(given, frame)) return *problem;
   auto graded = options.growth > 0 ? grade(prepared.domain, options, given, *size, options.growth)
                                    : grade_as_affordable(prepared.domain, options, given, *size);
   if (!graded) return in_world(graded.error(), frame);

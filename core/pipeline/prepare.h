@@ -16,8 +16,8 @@ struct Preparation {
 };
 
 /// Judges input and options, makes the 1D mesh and both fields.
-/// Errors: bad_option, bad_size, too_many_elements, and those of make_domain, sample_boundary,
-/// make_fields.
+/// Errors: bad_option, bad_size, too_many_elements, and those of judge_user_fields, make_domain,
+/// sample_boundary, make_fields.
 Result<Preparation> prepare(const DomainInput& input, const Options& options,
                             const UserFields& user = {});
 

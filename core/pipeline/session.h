@@ -3,7 +3,6 @@
 // deterministic.
 #pragma once
 
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -40,7 +39,7 @@ class Session {
 
   Mesher mesher_;
   int ticks_ = 0;
-  std::optional<Error> failure_;
+  Problem failure_;
   // States after some tick, ascending; at most max_checkpoints: every `stride_` ticks. Empty: none
   // are kept.
   std::vector<std::pair<int, Mesher>> checkpoints_;

@@ -33,7 +33,7 @@ class SurfaceMesher::Run {
   explicit Run(const SurfaceOptions& options) : options_(options) {}
 
   std::optional<Error> start(SurfaceSoup soup) {
-    if (const auto ranges = check_ranges(options_); !ranges) return ranges.error();
+    if (Problem range = check_ranges(options_)) return range;
     return repair(std::move(soup));
   }
 

@@ -45,7 +45,7 @@ class Repair {
     used_ = std::move(extent->used);
     report_.unused_points = extent->unused;
     diagonal_ = extent->diagonal;
-    if (const auto near = check_weld(); !near) return near.error();
+    if (const Problem near = check_weld()) return *near;
     part_bodies();
     weld();
     drop_collapsed();
@@ -82,7 +82,7 @@ class Repair {
   }
 
   /// A point far away from all others, or too large a weld, would make one point of nearly all.
-  Result<int> check_weld() const {
+  Problem check_weld() const {
     const double reach = options_.weld * diagonal_;
     double edges = 0, shorter = 0;
     Vec3 sum{};
@@ -93,7 +93,7 @@ class Repair {
         edges += side > 0;
         shorter += side > 0 && side < reach;
       }
-    if (shorter <= most_shorter * edges) return 0;
+    if (shorter <= most_shorter * edges) return {};
     const Vec3 mean = (1 / (3.0 * static_cast<double>(soup_.triangles.size()))) * sum;
     Vec3 far = mean;
     for (const Tri& t : soup_.triangles)

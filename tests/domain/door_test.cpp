@@ -127,6 +127,18 @@ TEST_CASE("repeated points are merged with a warning, or refused in strict mode"
   CHECK(make_domain(input)->warnings.empty());
 }
 
+TEST_CASE("of many repeated points a few are told, and how many more there are") {
+  auto input = one_region({rectangle(0, 0, 10, 10)});
+  input.regions[0].loops[0].insert(input.regions[0].loops[0].begin(), 1000, {0, 0});
+  for (int i = 0; i < 501; ++i) input.points.push_back({{5, 5}, ""});
+  const auto domain = make_domain(input);
+  REQUIRE(domain.has_value());
+  REQUIRE(domain->warnings.size() == 21);
+  CHECK(domain->warnings[19].where.edge == 19);
+  CHECK(domain->warnings.back().code == ErrorCode::duplicate_point);
+  CHECK(domain->warnings.back().message == "And 1480 more of this kind.");
+}
+
 TEST_CASE("coordinates of very different magnitude are refused, not rounded") {
   auto input = one_region({rectangle(0, 0, 1e300, 1e300)});
   CHECK(make_domain(input).has_value());

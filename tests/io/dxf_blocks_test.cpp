@@ -168,6 +168,20 @@ TEST_CASE("blocks that cannot be drawn are counted or refused with their place")
             .message.find("contains itself") != std::string::npos);
 }
 
+TEST_CASE("copies of blocks of many points are refused before they are made") {
+  std::string wave = "0 BLOCK 2 wave 10 0 20 0 0 LWPOLYLINE 70 1";
+  for (int i = 0; i < 20'000; ++i)
+    wave += " 10 " + std::to_string(i) + " 20 " + std::to_string(i % 2);
+  wave += " 10 20000 20 20000 0 ENDBLK";
+  const auto copies = [&](const std::string& insert) {
+    return dxf(plate + "0 INSERT 2 wave 10 0 20 0 " + insert, dxf_blocks(wave));
+  };
+  const Error error = refusal(copies("70 512 71 512 44 30000 45 30000"), DomainFormat::dxf);
+  CHECK(error.code == ErrorCode::too_large);
+  CHECK(error.where.line == 14);  // of the polyline
+  CHECK(error.message.find("more than a million corners") != std::string::npos);
+}
+
 TEST_CASE("blocks that multiply are refused, not unfolded") {
   const auto level = [](int i, int copies) {
     std::string block = "0 BLOCK 2 b" + std::to_string(i);

@@ -150,6 +150,43 @@ TEST_CASE("a size that is wrong at a point is refused at that point of the calle
   CHECK(outcome.error().where.y == 0.5);
 }
 
+TEST_CASE("sizes and guides are judged as given, whatever the scale of the domain") {
+  const DomainInput small = square(0.001, 0.0001);
+  const auto with = [&](std::vector<UserFields::SizeAt> sizes,
+                        std::vector<UserFields::Guide> guides) {
+    UserFields user;
+    user.sizes = std::move(sizes);
+    user.guides = std::move(guides);
+    return mesh_domain(small, {.size = 0.0002}, {}, nullptr, user);
+  };
+  const auto plain = mesh_domain(small, {.size = 0.0002});
+  REQUIRE(plain);
+  // Far away, or of no consequence: as if they were not there.
+  for (const UserFields::SizeAt& size :
+       {UserFields::SizeAt{{1e308, 0}, 0.0002}, {{1e200, -1e308}, 1e-300}, {{0, 0}, 1e308}}) {
+    const auto outcome = with({size}, {});
+    REQUIRE(outcome);
+    CHECK(outcome->report.quality.quads == plain->report.quality.quads);
+  }
+  CHECK(with({{{NAN, 0}, 0.1}}, {}).error().code == ErrorCode::non_finite);
+  CHECK(with({{{1e308, 0}, -1}}, {}).error().where.x == 1e308);
+  CHECK(with({{{0, 0}, INFINITY}}, {}).error().code == ErrorCode::bad_size);
+
+  const auto far = with({}, {{{0, 0}, {1e308, 0}}});
+  REQUIRE(!far);
+  CHECK(far.error().code == ErrorCode::bad_option);
+  CHECK(far.error().where.edge == 1);
+  CHECK(far.error().message == "Point 1 of guide 0 is too far from the domain. Bring it nearer.");
+  CHECK(with({}, {{{0, 0}, {INFINITY, 0}}}).error().code == ErrorCode::non_finite);
+
+  // Too fine for any mesh, and for the unit frame of so large a domain.
+  UserFields tiny;
+  tiny.sizes = {{{5e99, 5e99}, 1e-300}};
+  const auto refused = mesh_domain(square(1e100, 1e99), {}, {}, nullptr, tiny);
+  REQUIRE(!refused);
+  CHECK(refused.error().code == ErrorCode::too_many_elements);
+}
+
 TEST_CASE("the target size is met") {
   const auto outcome = mesh_domain(plate_with_hole(0.05), kept);
   REQUIRE(outcome);

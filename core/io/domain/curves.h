@@ -29,6 +29,8 @@ class CurvePath {
   Vec2 start() const { return points_.front(); }
   Vec2 current() const { return points_.back(); }
   bool has_edges() const { return !kinds_.empty(); }
+  /// Corners of the polyline but for its start, at least.
+  std::size_t least_corners() const { return kinds_.size(); }
 
   void line_to(Vec2 end);
   void quadratic_to(Vec2 control, Vec2 end);

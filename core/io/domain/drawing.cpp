@@ -138,14 +138,16 @@ double drawing_size(const LineWork& lines) {
   return std::max(hi.x - lo.x, hi.y - lo.y);
 }
 
-Result<int> join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
-                         std::vector<Warning>& warnings) {
-  if (is_too_many(drawing.lines, bytes))
-    return Error{
-        ErrorCode::too_large,
-        "The curves of this drawing have more than a million corners, and more than the file has "
-        "bytes. Draw them with fewer points, or simpler.",
-        {}};
+Error too_many_corners() {
+  return {ErrorCode::too_large,
+          "The curves of this drawing have more than a million corners, and more than the file has "
+          "bytes. Draw them with fewer points, or simpler.",
+          {}};
+}
+
+Problem join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
+                     std::vector<Warning>& warnings) {
+  if (is_too_many(drawing.lines.points.size(), bytes)) return too_many_corners();
   for (const LineWork::Edge& edge : drawing.lines.edges) {
     if (is_finite(drawing.lines.points[edge.a]) && is_finite(drawing.lines.points[edge.b]))
       continue;
@@ -173,7 +175,7 @@ Result<int> join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
     warn(warnings, ErrorCode::overlapping_edges,
          "Edges drawn more than once were taken once: " + std::to_string(joined.doubled) + ".",
          joined.doubled_at);
-  return 0;
+  return {};
 }
 
 NestedFaces nest_faces(const LineWork& lines, std::span<const Vec2> probes) {

@@ -35,10 +35,12 @@ inline constexpr double join_tolerance = 1e-5;
 
 /// A text of `bytes` may draw this many points: one for each byte, or a million. Few bytes make a
 /// curve of many corners, and memory is to grow with the text.
-inline bool is_too_many(const LineWork& lines, std::size_t bytes) {
+inline bool is_too_many(std::size_t points, std::size_t bytes) {
   constexpr std::size_t always_allowed = 1 << 20;
-  return lines.points.size() > always_allowed && lines.points.size() > bytes;
+  return points > always_allowed && points > bytes;
 }
+/// What is said then: too_large.
+Error too_many_corners();
 
 /// The larger side of the box around the points; 0 without points.
 double drawing_size(const LineWork& lines);
@@ -46,8 +48,8 @@ double drawing_size(const LineWork& lines);
 /// Joins the points, with warnings about gaps larger than rounding (1e-9 of the size), between
 /// points and from points to lines, and about edges drawn twice. `bytes` is the size of the text.
 /// Errors: non_finite, too_large.
-Result<int> join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
-                         std::vector<Warning>& warnings);
+Problem join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
+                     std::vector<Warning>& warnings);
 
 /// The faces of joined line work, and which of them lie in which others.
 struct NestedFaces {

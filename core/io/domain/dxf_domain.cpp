@@ -23,6 +23,13 @@ BSpline spline_of(const DxfPiece& piece) {
   return spline;
 }
 
+/// Corners of the polyline but for its start, at least: of a spline the spans that knots as
+/// multiple as its degree leave.
+std::size_t least_corners(const DxfCurve& curve) {
+  if (!curve.spline) return curve.path.least_corners();
+  return (curve.spline->control.size() - 1) / static_cast<std::size_t>(curve.spline->degree);
+}
+
 class DxfReader {
  public:
   explicit DxfReader(std::string_view text) : text_(text) {}
@@ -34,6 +41,7 @@ class DxfReader {
     if (!placed) return placed.error();
     found_ = *std::move(placed);
     leave_out_paper();
+    if (Problem problem = judge_count()) return *problem;
     flatten();
     return finish();
   }
@@ -56,6 +64,20 @@ class DxfReader {
     if (!all) pieces.erase(model, pieces.end());
   }
 
+  /// Few bytes of INSERTs ask for any number of copies: these are counted before any is made.
+  Problem judge_count() const {
+    std::size_t corners = 0;
+    for (const DxfPiece& piece : found_.pieces) {
+      corners += least_corners(*piece.curve);
+      if (!is_too_many(corners, text_.size())) continue;
+      Error error = too_many_corners();
+      error.where.line = drawing_.sources[piece.source].line;
+      error.where.byte = drawing_.sources[piece.source].byte;
+      return error;
+    }
+    return {};
+  }
+
   void flatten() {
     Box box = empty_box();
     for (const DxfPiece& piece : found_.pieces) {
@@ -68,7 +90,7 @@ class DxfReader {
     const double tolerance = flattening_tolerance(box);
     std::vector<Vec2> points;
     for (const DxfPiece& piece : found_.pieces) {
-      if (is_too_many(drawing_.lines, text_.size())) return;  // join_drawing says so
+      if (is_too_many(drawing_.lines.points.size(), text_.size())) return;  // join_drawing says so
       points.clear();
       if (piece.curve->spline) {
         lpq::flatten(spline_of(piece), tolerance, points);
@@ -109,8 +131,8 @@ class DxfReader {
   Result<DomainFile> finish() {
     warn_of_entities();
     const double tolerance = join_tolerance * drawing_size(drawing_.lines);
-    const auto joined = join_drawing(drawing_, text_.size(), tolerance, file_.warnings);
-    if (!joined) return joined.error();
+    if (Problem problem = join_drawing(drawing_, text_.size(), tolerance, file_.warnings))
+      return *problem;
     const NestedFaces nested = nest_faces(drawing_.lines);
     if (!nested.planar.chains.empty()) return open_chain_error(drawing_, nested, tolerance);
     if (nested.planar.faces.empty()) return no_outline();

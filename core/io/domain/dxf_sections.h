@@ -40,7 +40,7 @@ struct DxfBlock {
   Vec2 base;
   bool external = false;  // another file holds what it draws
   std::vector<DxfItem> items;
-  std::optional<Error> error;  // the first entity that is wrong: nobody minds until it is used
+  Problem error;  // the first entity that is wrong: nobody minds until it is used
 };
 
 struct DxfSections {

@@ -1,6 +1,8 @@
 // See json_lists.h.
 #include "io/domain/json_lists.h"
 
+#include "base/few_warnings.h"
+
 namespace lpq {
 namespace {
 
@@ -14,9 +16,7 @@ std::string counts_of(std::size_t loop, std::size_t edges, const char* joint, st
          std::to_string(tags) + (tags == 1 ? " edge tag; " : " edge tags; ");
 }
 
-std::optional<Error> judge_tags(const DomainInput::Region& region, Where where,
-                                std::vector<Warning>& warnings) {
-  constexpr std::size_t most_warnings = 20;
+Problem judge_tags(const DomainInput::Region& region, Where where, FewWarnings& warnings) {
   for (std::size_t l = 0; l < region.tags.size(); ++l) {
     const bool has_loop = l < region.loops.size();
     const std::size_t tags = region.tags[l].size();
@@ -26,15 +26,15 @@ std::optional<Error> judge_tags(const DomainInput::Region& region, Where where,
     if (tags > (has_loop ? region.loops[l].size() : 0))
       return Error{ErrorCode::parse_error,
                    counts_of(l, edges, "but ", tags) + "give one tag per edge.", where};
-    if (tags > 0 && tags < edges && warnings.size() < most_warnings)
-      warnings.push_back(
-          {ErrorCode::adapted,
-           counts_of(l, edges, "but only ", tags) + "the edges after these have none.", where});
+    if (tags > 0 && tags < edges)
+      warnings.add({ErrorCode::adapted,
+                    counts_of(l, edges, "but only ", tags) + "the edges after these have none.",
+                    where});
   }
   return std::nullopt;
 }
 
-std::optional<Error> judge_guide(const DomainInput::Guide& guide, Index number) {
+Problem judge_guide(const DomainInput::Guide& guide, Index number) {
   for (const Vec2 p : guide)
     if (!(p == guide.front())) return std::nullopt;
   Where where;
@@ -51,14 +51,16 @@ std::optional<Error> judge_guide(const DomainInput::Guide& guide, Index number) 
 
 }  // namespace
 
-std::optional<Error> judge_lists(const DomainInput& domain, std::vector<Warning>& warnings) {
+Problem judge_lists(const DomainInput& domain, std::vector<Warning>& warnings) {
   for (std::size_t g = 0; g < domain.guides.size(); ++g)
     if (auto error = judge_guide(domain.guides[g], static_cast<Index>(g))) return error;
+  FewWarnings of_tags;
   for (std::size_t r = 0; r < domain.regions.size(); ++r) {
     Where where;
     where.region = static_cast<Index>(r);
-    if (auto error = judge_tags(domain.regions[r], where, warnings)) return error;
+    if (auto error = judge_tags(domain.regions[r], where, of_tags)) return error;
   }
+  for (Warning& warning : of_tags.take()) warnings.push_back(std::move(warning));
   return std::nullopt;
 }
 

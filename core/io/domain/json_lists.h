@@ -1,7 +1,6 @@
 // Do the lists of a JSON domain belong together?
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "io/domain/domain_file.h"
@@ -10,6 +9,6 @@ namespace lpq {
 
 /// Errors: parse_error for tags without an edge, with region and loop, and for a guide without a
 /// direction; a warning for a loop that has some tags, but not one for each edge.
-std::optional<Error> judge_lists(const DomainInput& domain, std::vector<Warning>& warnings);
+Problem judge_lists(const DomainInput& domain, std::vector<Warning>& warnings);
 
 }  // namespace lpq

@@ -28,15 +28,13 @@ bool Members::add(const std::string& key, const JsonText& text) {
 }
 
 void Members::close() {
-  constexpr std::size_t most_warnings = 20;
   for (const Slip& slip : objects_.back().slips) {
     const std::uint32_t bit = bit_of(child_role(objects_.back().role, slip.known));
-    if ((objects_.back().seen & bit) != 0 || warnings_.size() >= most_warnings) continue;
-    warnings_.push_back({ErrorCode::ignored,
-                         "The key \"" + slip.key +
-                             "\" is not known and was ignored; did you mean \"" + slip.known +
-                             "\"?",
-                         slip.where});
+    if ((objects_.back().seen & bit) != 0) continue;
+    warnings_.add({ErrorCode::ignored,
+                   "The key \"" + slip.key + "\" is not known and was ignored; did you mean \"" +
+                       slip.known + "\"?",
+                   slip.where});
   }
   objects_.pop_back();
 }

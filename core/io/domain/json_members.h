@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
+#include "base/few_warnings.h"
 #include "io/domain/json_roles.h"
 
 namespace lpq {
@@ -21,8 +21,8 @@ class Members {
   /// The next key of the innermost object or array; false if it has a known one twice.
   bool add(const std::string& key, const JsonText& text);
   void close();
-  /// At most 20, after the last close().
-  std::vector<Warning> take_warnings() { return std::move(warnings_); }
+  /// After the last close().
+  std::vector<Warning> take_warnings() { return warnings_.take(); }
 
  private:
   struct Slip {
@@ -36,7 +36,7 @@ class Members {
   };
 
   std::vector<Object> objects_;
-  std::vector<Warning> warnings_;
+  FewWarnings warnings_;
   int looked_up_ = 0;
 };
 

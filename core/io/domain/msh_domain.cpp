@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 #include "geometry/polygon.h"
 #include "io/domain/drawing.h"
@@ -34,7 +33,7 @@ class MshDomain {
   }
 
  private:
-  std::optional<Error> collect_sides();
+  Problem collect_sides();
   void add_edges();
   Index region_left_of(Vec2 a, Vec2 b) const;
   Index region_of(const Walk& face) const;
@@ -48,7 +47,7 @@ class MshDomain {
   DomainFile file_;
 };
 
-std::optional<Error> MshDomain::collect_sides() {
+Problem MshDomain::collect_sides() {
   for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
     const Face& face = mesh_.faces[f];
     const int n = corner_count(face);

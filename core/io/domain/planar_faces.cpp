@@ -8,9 +8,9 @@
 #include <algorithm>
 
 #include "base/disjoint_sets.h"
+#include "domain/directions.h"
 #include "geometry/frame.h"
 #include "geometry/polygon.h"
-#include "geometry/predicates.h"
 
 namespace lpq {
 namespace {
@@ -41,14 +41,10 @@ class Tracer {
 };
 
 void Tracer::sort_around(std::vector<Index>& outgoing, std::size_t begin, std::size_t end) const {
-  const Vec2 v = at(origin(outgoing[begin]));
-  const auto upper = [v](Vec2 p) { return p.y > v.y || (p.y == v.y && p.x > v.x); };
+  const Counterclockwise before{at(origin(outgoing[begin]))};
   std::stable_sort(outgoing.begin() + static_cast<std::ptrdiff_t>(begin),
-                   outgoing.begin() + static_cast<std::ptrdiff_t>(end), [&](Index g, Index h) {
-                     const Vec2 p = at(origin(g ^ 1)), q = at(origin(h ^ 1));
-                     if (upper(p) != upper(q)) return upper(p);
-                     return orient2d(v, p, q) > 0;
-                   });
+                   outgoing.begin() + static_cast<std::ptrdiff_t>(end),
+                   [&](Index g, Index h) { return before(at(origin(g ^ 1)), at(origin(h ^ 1))); });
 }
 
 void Tracer::trace(const std::vector<char>& used) {

@@ -178,8 +178,7 @@ std::vector<Marked> PolyReader::free_vertices() const {
 }
 
 Result<DomainFile> PolyReader::finish() {
-  const auto joined = join_drawing(drawing_, text_size_, 0, file_.warnings);
-  if (!joined) return joined.error();
+  if (Problem problem = join_drawing(drawing_, text_size_, 0, file_.warnings)) return *problem;
   const std::vector<Marked> free = free_vertices();
   std::vector<Vec2> probes = holes_;
   probes.insert(probes.end(), region_points_.begin(), region_points_.end());

@@ -46,7 +46,7 @@ void SvgReader::flatten() {
   const double tolerance = flattening_tolerance(box);
   std::vector<Vec2> points;
   for (SvgOutline& outline : found_.outlines) {
-    if (is_too_many(drawing_.lines, text_.size())) return;  // join_drawing says so
+    if (is_too_many(drawing_.lines.points.size(), text_.size())) return;  // join_drawing says so
     points.clear();
     outline.path.curve.flatten(tolerance, points);
     bool closed = outline.path.closed;
@@ -77,8 +77,8 @@ void SvgReader::warn_of_elements() {
 Result<DomainFile> SvgReader::finish() {
   warn_of_elements();
   const double tolerance = join_tolerance * drawing_size(drawing_.lines);
-  const auto joined = join_drawing(drawing_, text_.size(), tolerance, file_.warnings);
-  if (!joined) return joined.error();
+  if (Problem problem = join_drawing(drawing_, text_.size(), tolerance, file_.warnings))
+    return *problem;
   const NestedFaces nested = nest_faces(drawing_.lines);
   if (nested.planar.faces.empty()) {
     if (!nested.planar.chains.empty()) return open_chain_error(drawing_, nested, tolerance);

@@ -90,7 +90,7 @@ class SvgWalker {
   std::vector<std::size_t> line_ends_;
   Drawing& drawing_;
   SvgOutlines found_;
-  std::optional<Error> error_;
+  Problem error_;
 };
 
 /// One tag; false at the end of the text, and after an error.

@@ -13,7 +13,7 @@ class ShapeReader {
  public:
   ShapeReader(std::string_view text, const XmlReader& xml) : text_(text), xml_(xml) {}
 
-  std::optional<Error> read(std::vector<Subpath>& subpaths);
+  Problem read(std::vector<Subpath>& subpaths);
 
  private:
   void fail(std::size_t byte, std::string message) {
@@ -33,7 +33,7 @@ class ShapeReader {
 
   std::string_view text_;
   const XmlReader& xml_;
-  std::optional<Error> error_;
+  Problem error_;
 };
 
 /// False where the attribute is absent or wrong.
@@ -126,7 +126,7 @@ void ShapeReader::draw_line(std::vector<Subpath>& subpaths) {
   subpaths.push_back({std::move(path), false});
 }
 
-std::optional<Error> ShapeReader::read(std::vector<Subpath>& subpaths) {
+Problem ShapeReader::read(std::vector<Subpath>& subpaths) {
   const std::string_view name = xml_.name();
   if (name == "path") {
     draw_path(subpaths);
@@ -153,8 +153,8 @@ Error attribute_error(std::string_view text, const XmlReader& xml, const XmlAttr
       std::string(attribute.name) + " of <" + std::string(xml.name()) + ">: " + problem.message);
 }
 
-std::optional<Error> read_svg_shape(std::string_view text, const XmlReader& xml,
-                                    std::vector<Subpath>& subpaths) {
+Problem read_svg_shape(std::string_view text, const XmlReader& xml,
+                       std::vector<Subpath>& subpaths) {
   return ShapeReader(text, xml).read(subpaths);
 }
 

@@ -1,7 +1,6 @@
 // The basic shapes of SVG and <path> (W3C, SVG 1.1, chapters 8 and 9).
 #pragma once
 
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -16,7 +15,6 @@ Error attribute_error(std::string_view text, const XmlReader& xml, const XmlAttr
 
 /// Appends what the tag that `xml` read last draws, in its own coordinates; nothing for elements
 /// that are no shapes. `text` is all that is read. Errors: parse_error with its place.
-std::optional<Error> read_svg_shape(std::string_view text, const XmlReader& xml,
-                                    std::vector<Subpath>& subpaths);
+Problem read_svg_shape(std::string_view text, const XmlReader& xml, std::vector<Subpath>& subpaths);
 
 }  // namespace lpq

@@ -1,0 +1,25 @@
+// The caller's fields, judged where the caller gave them and moved into the unit frame, in which
+// what is far from the domain or of another scale may be beyond what doubles hold.
+#pragma once
+
+#include <vector>
+
+#include "base/result.h"
+#include "domain/boundary.h"
+#include "geometry/frame.h"
+#include "pipeline/options.h"
+
+namespace lpq {
+
+/// Errors, with places as given: bad_size for a size at a point that is not positive; non_finite
+/// for its place or a point of a guide; bad_option for a guide that goes too far from the domain.
+Problem judge_user_fields(const UserFields& user, const UnitFrame& frame);
+
+/// A size where it is a positive number; anything else as it is.
+double size_in_frame(double size, const UnitFrame& frame);
+
+/// The sizes at points, which are judged already, without those so far away that they ask nothing
+/// of the domain.
+std::vector<SizeSample> samples_in_frame(const UserFields& user, const UnitFrame& frame);
+
+}  // namespace lpq
