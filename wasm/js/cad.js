@@ -1,6 +1,6 @@
 // STEP, IGES and BREP files as triangles, by occt-import-js (LGPL-2.1): a package of its own that the
 // user installs and that is loaded only here.
-import { withoutRepeats } from './cad_repeats.js';
+import { withoutRepeats } from './cad-repeats.js';
 import { LpquadError } from './errors.js';
 
 const kinds = {
