@@ -76,10 +76,11 @@ function refuseReferences(bytes) {
 
 /** Each name once: "bolt", "bolt 2", … */
 function eachOnce(names) {
-  const used = new Set();
+  const used = new Set(), next = new Map();
   return names.map((name) => {
-    let unique = name;
-    for (let count = 2; used.has(unique); ++count) unique = `${name} ${count}`;
+    let unique = name, count = next.get(name) ?? 2;
+    for (; used.has(unique); ++count) unique = `${name} ${count}`;
+    next.set(name, count);
     used.add(unique);
     return unique;
   });
