@@ -141,12 +141,34 @@ test('meshes that no writer could follow are refused', () => {
   write({ quadRegions: mesh.quadRegions.map(() => -1) });
   write({ boundaryNodes: 1e6 });
   write({ tags: [5] });
+  write({ points: mesh.points.subarray(1) });
   for (const value of [null, 5, undefined]) errorOf('PARSE_ERROR', () => lpquad.writeMesh(value, 'obj'));
   errorOf('BAD_OPTION', () => lpquad.writeMesh(mesh, 'stl'));
   errorOf('BAD_OPTION', () => lpquad.writeMesh(mesh, undefined));
   assert.match(errorOf('BAD_OPTION', () => lpquad.writeMesh(mesh, 'msh', { mshversion: '2.2' })).message,
     /'mshVersion'/);
   errorOf('BAD_OPTION', () => lpquad.writeMesh(mesh, 'msh', { mshVersion: 2.2 }));
+});
+
+test('arrays of a mesh whose lengths do not fit are named with both', () => {
+  const tagged = lpquad.meshDomain({ ...square, points: [{ position: [0.5, 0.5], tag: 'mid' }] }, { size: 0.25 });
+  const mesh = { ...tagged, triangles: Uint32Array.of(0, 1, 2), triangleRegions: Int32Array.of(0) };
+  assert.deepEqual([mesh.taggedPoints.length, mesh.pointTags.length], [1, 1]);
+  const besides = { quadRegions: 'quads', triangleRegions: 'triangles', edgeTags: 'edges', edgeRegions: 'edges',
+    edgeOrigins: 'edges', pointTags: 'taggedPoints' };
+  lpquad.writeMesh(mesh, 'msh');
+  for (const [name, other] of Object.entries(besides))
+    for (const values of [[], mesh[name].subarray(1), [...mesh[name], 0], [...mesh[name], ...mesh[name]]]) {
+      const { message } = errorOf('PARSE_ERROR', () => lpquad.writeMesh({ ...mesh, [name]: values }, 'msh'));
+      assert.ok(message.startsWith(`mesh.${name} has ${values.length} entries and mesh.${other} has ${mesh[other].length},`),
+        message);
+    }
+  for (const name of ['quads', 'triangles', 'edges']) {
+    const longer = [...mesh[name], 0];
+    assert.match(errorOf('PARSE_ERROR', () => lpquad.writeMesh({ ...mesh, [name]: longer }, 'msh')).message,
+      new RegExp(`mesh\\.${name} has ${longer.length},`));
+  }
+  errorOf('PARSE_ERROR', () => lpquad.writeMesh({ ...mesh, points: new DataView(new ArrayBuffer(8)) }, 'msh'));
 });
 
 test('files that are not what they say are refused with line and byte', async () => {

@@ -103,6 +103,7 @@ export interface Mesh {
   quadRegions: Int32Array;
   /** Left-over triangles (only where they were allowed), 3 #T. */
   triangles: Uint32Array;
+  /** Region of each triangle, #T. */
   triangleRegions: Int32Array;
   /** The 1D mesh: edges a, b of the outline, holes, region borders and polylines, 2 #E. */
   edges: Uint32Array;
@@ -112,8 +113,9 @@ export interface Mesh {
   edgeRegions: Int32Array;
   /** Region, loop and edge of the domain each edge comes from, 3 #E; a polyline has region -1. */
   edgeOrigins: Int32Array;
-  /** Vertices the caller tagged, and their tags. */
+  /** Vertices the caller tagged. */
   taggedPoints: Uint32Array;
+  /** Tag of each of them, index into `tags`. */
   pointTags: Int32Array;
   /** Names as given; `''` = unnamed. */
   regions: string[];
@@ -342,7 +344,11 @@ export interface Lpquad extends Description {
   meshSurface(surface: SurfaceInput, options?: SurfaceCallOptions): Promise<SurfaceMeshResult>;
   /** The same in steps. */
   startSurface(surface: SurfaceInput, options?: SurfaceOptions): Promise<SurfaceSession>;
-  /** A mesh as the text of a file; a mesh on a surface in one of `surfaceMeshFormats`. */
+  /**
+   * A mesh as the text of a file; a mesh on a surface in one of `surfaceMeshFormats`.
+   * @throws {LpquadError} PARSE_ERROR for arrays whose lengths do not fit together, named with both lengths, and for
+   * indices that lead nowhere.
+   */
   writeMesh(mesh: SurfaceMesh, format: SurfaceMeshFormat, options?: WriteOptions): string;
   writeMesh(mesh: Mesh & { dimension?: 2 }, format: MeshFormat, options?: WriteOptions): string;
 }
