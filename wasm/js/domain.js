@@ -71,9 +71,17 @@ class Names {
   }
 }
 
+/** Of the loop that comes last, of `size` points: its first may be repeated at its end. */
+function edgesOf({ points }, size) {
+  const first = points.length - 2 * size, last = points.length - 2;
+  const repeated = size > 1 && points[first] === points[last] && points[first + 1] === points[last + 1];
+  return repeated ? size - 1 : size;
+}
+
 function packTags(packed, tags, size, path, names) {
   checkList(tags, path, 'an array of texts, one per edge');
-  if (tags.length > 0 && tags.length !== size) fail(path, `as long as its loop (${size})`, tags);
+  const edges = edgesOf(packed, size);
+  if (![0, edges, size].includes(tags.length)) fail(path, `as long as its loop has edges (${edges})`, tags);
   for (let e = 0; e < size; ++e) packed.edgeTags.push(names.number(tags[e], `${path}[${e}]`));
 }
 

@@ -20,7 +20,7 @@ export type {
   SurfaceProgress, SurfaceReport, SurfaceSession, SurfaceSnapshot, SurfaceStage,
 } from './surface.js';
 
-/** A closed loop: `[[x, y], …]` or flat `[x0, y0, x1, y1, …]`. The first point is not repeated. */
+/** A closed loop: `[[x, y], …]` or flat `[x0, y0, x1, y1, …]`. The first point may be repeated at the end, and need not. */
 export type Loop = ReadonlyArray<readonly [number, number]> | ArrayLike<number>;
 
 /** Target sizes at points: `[[x, y, h], …]` or flat `[x0, y0, h0, …]`. */
@@ -33,7 +33,11 @@ export type Guides = ReadonlyArray<Loop>;
 export interface Loops {
   /** In any order and orientation. */
   loops: readonly Loop[];
-  /** One text per loop and edge; edge i runs from point i to i + 1. `''` is untagged. */
+  /**
+   * One text per loop and edge; edge i runs from point i to i + 1. `''` is untagged. A loop without tags has `[]` or is
+   * beyond the end; any other count than that of its edges is an error, so that no tag is missed in silence. (Of a file
+   * that has too few, readDomain warns, and gives `''` to the edges that are left.)
+   */
   tags?: ReadonlyArray<ReadonlyArray<string | null | undefined>>;
 }
 

@@ -14,8 +14,8 @@ std::string counts_of(std::size_t loop, std::size_t edges, const char* joint, st
          std::to_string(tags) + (tags == 1 ? " edge tag; " : " edge tags; ");
 }
 
-std::optional<Error> judge_tags(const DomainInput::Region& region, Where where,
-                                std::vector<Warning>& warnings) {
+std::optional<Error> fit_tags(DomainInput::Region& region, Where where,
+                              std::vector<Warning>& warnings) {
   constexpr std::size_t most_warnings = 20;
   for (std::size_t l = 0; l < region.tags.size(); ++l) {
     const bool has_loop = l < region.loops.size();
@@ -30,7 +30,9 @@ std::optional<Error> judge_tags(const DomainInput::Region& region, Where where,
       warnings.push_back(
           {ErrorCode::adapted,
            counts_of(l, edges, "but only ", tags) + "the edges after these have none.", where});
+    if (tags > 0 && tags < edges) region.tags[l].resize(edges);
   }
+  if (region.tags.size() > region.loops.size()) region.tags.resize(region.loops.size());
   return std::nullopt;
 }
 
@@ -51,13 +53,13 @@ std::optional<Error> judge_guide(const DomainInput::Guide& guide, Index number) 
 
 }  // namespace
 
-std::optional<Error> judge_lists(const DomainInput& domain, std::vector<Warning>& warnings) {
+std::optional<Error> fit_lists(DomainInput& domain, std::vector<Warning>& warnings) {
   for (std::size_t g = 0; g < domain.guides.size(); ++g)
     if (auto error = judge_guide(domain.guides[g], static_cast<Index>(g))) return error;
   for (std::size_t r = 0; r < domain.regions.size(); ++r) {
     Where where;
     where.region = static_cast<Index>(r);
-    if (auto error = judge_tags(domain.regions[r], where, warnings)) return error;
+    if (auto error = fit_tags(domain.regions[r], where, warnings)) return error;
   }
   return std::nullopt;
 }
