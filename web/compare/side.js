@@ -24,6 +24,14 @@ function createParts(letter) {
   return { name, told, canvas, area, element };
 }
 
+/** @param {App} app  @param {() => Promise<LpquadWorker>} createEngine */
+function createRunner(app, createEngine) {
+  const runner = new Runner(createEngine);
+  runner.still = app.runner.still;
+  runner.wantedLayers = () => app.store.project.layers;
+  return runner;
+}
+
 /** @param {Runner['run']} run  @param {string} freshness */
 function wordsOf(run, freshness) {
   if (freshness !== 'current') return 'out of date';
@@ -35,9 +43,7 @@ function wordsOf(run, freshness) {
 export function createSide(app, letter, createEngine) {
   /** @type {{project: Project, side: Side, made: Project} | null} */
   let last = null;
-  const runner = new Runner(createEngine);
-  runner.still = app.runner.still;
-  runner.wantedLayers = () => app.store.project.layers;
+  const runner = createRunner(app, createEngine);
   const { name, told, canvas, area, element } = createParts(letter);
   const project = () => last?.made ?? app.store.project;
   const stage = new Stage(area, () => ({
