@@ -41,11 +41,10 @@ val mesh_result(const OutputMesh& mesh, const Report& report, const Options& opt
 }
 
 bool ask(const Progress& progress, void* callback) {
-  return static_cast<const val*>(callback)
-      ->
-      operator()(std::string(progress.stage), progress.iteration, progress.max_iterations,
-                 progress.energy)
-      .isTrue();
+  const val& on_progress = *static_cast<const val*>(callback);
+  const val go_on = on_progress(std::string(progress.stage), progress.iteration,
+                                progress.max_iterations, progress.energy);
+  return go_on.isTrue();
 }
 
 /// `progress(stage, iteration, maxIterations, energy)` returns false to cancel; or null.

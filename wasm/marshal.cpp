@@ -59,7 +59,7 @@ void append_faces(OutputMesh& mesh, const val& corners, const val& regions, std:
     Face face{none, none, none, none};
     for (std::size_t k = 0; k < count; ++k) face[k] = nodes[f * count + k];
     mesh.faces.push_back(face);
-    mesh.region.push_back(f < region.size() ? region[f] : 0);
+    mesh.region.push_back(f < region.size() ? region[f] : none);
   }
 }
 
@@ -276,9 +276,11 @@ Result<OutputMesh> mesh_from(const val& js) {
     if (end.size() < 2 || side.size() < 2 || origin.size() < 3) return bad_mesh("edges");
     mesh.edges.push_back({end[0], end[1], side[0], side[1], tag, origin[0], origin[1], origin[2]});
   }
-  Cursor points(indices_from(js["taggedPoints"]));
-  for (const Index tag : indices_from(js["pointTags"]))
-    mesh.tagged_points.push_back({points.next(), tag});
+  const std::vector<Index> points = indices_from(js["taggedPoints"]);
+  const std::vector<Index> tags = indices_from(js["pointTags"]);
+  if (points.size() != tags.size()) return bad_mesh("taggedPoints");
+  for (std::size_t i = 0; i < points.size(); ++i)
+    mesh.tagged_points.push_back({points[i], tags[i]});
   mesh.regions = strings_from(js["regions"]);
   mesh.tags = strings_from(js["tags"]);
   mesh.fixed = js["boundaryNodes"].as<Index>();

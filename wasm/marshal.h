@@ -58,7 +58,8 @@ SurfaceSoup soup_from(const val& packed);
 /// The arrays of MeshResult in js/index.d.ts, or those of SurfaceMesh for a mesh in space; `report`
 /// is added by the caller.
 val to_js(const OutputMesh& mesh);
-/// Errors: parse_error for an index that leads nowhere.
+/// Errors: parse_error for an index that leads nowhere. Lengths that do not fit are named by
+/// js/checks.js before.
 Result<OutputMesh> mesh_from(const val& mesh);
 
 /// {error: {code, message, where}} as JSON text, which js/errors.js turns into a LpquadError.

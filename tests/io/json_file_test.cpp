@@ -15,6 +15,10 @@ const std::string square = "\"loops\": [[[0,0],[1,0],[1,1],[0,1]]]";
 std::vector<Warning> warnings_of(const std::string& members) {
   return lpq_test::read_file("{" + members + "}", DomainFormat::json).warnings;
 }
+using TagTable = std::vector<std::vector<std::string>>;
+TagTable tags_of(const std::string& members) {
+  return lpq_test::read_file("{" + members + "}", DomainFormat::json).domain.regions[0].tags;
+}
 Error refused(const std::string& members) {
   const Error error = refusal("{" + members + "}", DomainFormat::json);
   CHECK(error.code == ErrorCode::parse_error);
@@ -72,6 +76,8 @@ TEST_CASE("tags and guides that do not fit are the file's fault") {
   CHECK(warnings_of(tags("[[\"a\", \"b\", \"c\", \"d\"]]")).empty());
   CHECK(warnings_of(tags("[[]]")).empty());
   check_warning(tags("[[\"a\", \"b\", \"c\"]]"), "has 4 edges but only 3 edge tags");
+  CHECK(tags_of(tags("[[\"a\", \"b\"]]")) == TagTable{{"a", "b", "", ""}});
+  CHECK(tags_of(tags("[[], []]")) == TagTable{{}});
   CHECK(refused(tags("[[\"a\", \"b\", \"c\", \"d\", \"e\"]]")).where.loop == 0);
   CHECK(refused(tags("[[], [\"a\"]]")).where.loop == 1);
   // The first point once more at the end makes no edge.

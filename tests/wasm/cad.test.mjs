@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { after, test } from 'node:test';
 
 import { stepBoxes } from './step_boxes.mjs';
-import { dist, path, rejectionOf } from './support.mjs';
+import { dist, path, random, rejectionOf } from './support.mjs';
 
 const { cadFormats, isCadFile, readCad, surfaceAsObj } = await import(dist('cad.js').href);
 const installed = existsSync(path('node_modules/occt-import-js'));
@@ -78,6 +78,24 @@ test('faces of all bodies become groups with names that occur once', async () =>
   assert.equal(new Set(surface.groupNames).size, 12);
   assert.deepEqual((await readCad('', { format: 'brep', occt: fakeOcct(['']) })).groupNames,
     ['face 1', 'face 2', 'rest']);
+});
+
+test('names that occur often get the numbers that are free, each found at once', async (t) => {
+  const next = random(7), texts = ['a', 'a 2', 'a 2 2', 'a 3', 'b', 'b 7'];
+  const names = Array.from({ length: 300 }, () => texts[Math.floor(next() * texts.length)]);
+  const expected = [];
+  for (const name of names) {
+    let unique = name;
+    for (let count = 2; expected.includes(unique); ++count) unique = `${name} ${count}`;
+    expected.push(unique);
+  }
+  const readNames = async (given) => (await readCad('', { format: 'brep', occt: fakeOcct(given) })).groupNames
+    .filter((name) => name.endsWith(' rest')).map((name) => name.slice(0, -' rest'.length));
+  assert.deepEqual(await readNames(names), expected);
+
+  const looks = t.mock.method(Set.prototype, 'has');
+  assert.equal((await readNames(Array(400).fill('bolt'))).at(-1), 'bolt 400');
+  assert.ok(looks.mock.callCount() < 4 * 400, `${looks.mock.callCount()} looks`);
 });
 
 test('the size says how fine the triangles are', async () => {

@@ -25,7 +25,8 @@ test('a wrong form is named by its path', () => {
     [{ regions: [{ ...square, name: 5 }] }, 'domain.regions[0].name'],
     [{ regions: [{ ...square, size: 5 }] }, 'domain.regions[0].size'],
     [{ ...square, tags: 'a' }, 'domain.tags'], [{ ...square, tags: ['a'] }, 'domain.tags[0]'],
-    [{ ...square, tags: [['a']] }, 'domain.tags[0]'], [{ ...square, tags: [[], []] }, 'domain.tags'],
+    [{ ...square, tags: [['a']] }, 'domain.tags[0]'], [{ ...square, tags: [['a', 'b', 'c']] }, 'domain.tags[0]'],
+    [{ ...square, tags: [[], []] }, 'domain.tags'],
     [{ ...square, tags: [['a', 'b', 'c', 4]] }, 'domain.tags[0][3]'],
     [{ ...square, polylines: 1 }, 'domain.polylines'],
     [{ ...square, polylines: [[[0, 0]]] }, 'domain.polylines[0].0'],
@@ -45,6 +46,26 @@ test('a wrong form is named by its path', () => {
     assert.deepEqual(nested.where, { region: 0, loop: 0, edge: 2 });
     assert.deepEqual(refuse('NON_FINITE', { loops: [[0, 0, 1, 0, value, 1]] }).where, nested.where);
     refuse('NON_FINITE', { ...square, h: value });
+  }
+});
+
+test('a loop whose first point is repeated has a tag per edge or per point', async () => {
+  const tags = ['south', 'east', 'north', 'west'], open = square.loops[0], closed = [...open, open[0]];
+  const expected = lpquad.meshDomain({ loops: [open], tags: [tags] }, { size: 0.25 });
+  const read = await lpquad.readDomain(JSON.stringify({ loops: [closed], tags: [tags] }), { format: 'json' });
+  for (const domain of [{ loops: [closed], tags: [tags] }, { loops: [closed.flat()], tags: [[...tags, '']] }, read]) {
+    const { points, edges, edgeTags, tags: names } = lpquad.meshDomain(domain, { size: 0.25 });
+    assert.deepEqual([points, edges, edgeTags, names],
+      [expected.points, expected.edges, expected.edgeTags, expected.tags]);
+  }
+  assert.match(refuse('PARSE_ERROR', { loops: [closed], tags: [tags.slice(1)] }).message, /has edges \(4\)/);
+});
+
+test('tags that a file leaves out are empty once it is read', async () => {
+  for (const [tags, given] of [[[['south', 'east']], 2], [[[], []], 0]]) {
+    const read = await lpquad.readDomain(JSON.stringify({ ...square, tags }), { format: 'json' });
+    assert.equal(read.warnings.length, given > 0 ? 1 : 0);
+    assert.equal(new Set(lpquad.meshDomain(read, { size: 0.25 }).tags).size, given);
   }
 });
 
@@ -141,12 +162,34 @@ test('meshes that no writer could follow are refused', () => {
   write({ quadRegions: mesh.quadRegions.map(() => -1) });
   write({ boundaryNodes: 1e6 });
   write({ tags: [5] });
+  write({ points: mesh.points.subarray(1) });
   for (const value of [null, 5, undefined]) errorOf('PARSE_ERROR', () => lpquad.writeMesh(value, 'obj'));
   errorOf('BAD_OPTION', () => lpquad.writeMesh(mesh, 'stl'));
   errorOf('BAD_OPTION', () => lpquad.writeMesh(mesh, undefined));
   assert.match(errorOf('BAD_OPTION', () => lpquad.writeMesh(mesh, 'msh', { mshversion: '2.2' })).message,
     /'mshVersion'/);
   errorOf('BAD_OPTION', () => lpquad.writeMesh(mesh, 'msh', { mshVersion: 2.2 }));
+});
+
+test('arrays of a mesh whose lengths do not fit are named with both', () => {
+  const tagged = lpquad.meshDomain({ ...square, points: [{ position: [0.5, 0.5], tag: 'mid' }] }, { size: 0.25 });
+  const mesh = { ...tagged, triangles: Uint32Array.of(0, 1, 2), triangleRegions: Int32Array.of(0) };
+  assert.deepEqual([mesh.taggedPoints.length, mesh.pointTags.length], [1, 1]);
+  const besides = { quadRegions: 'quads', triangleRegions: 'triangles', edgeTags: 'edges', edgeRegions: 'edges',
+    edgeOrigins: 'edges', pointTags: 'taggedPoints' };
+  lpquad.writeMesh(mesh, 'msh');
+  for (const [name, other] of Object.entries(besides))
+    for (const values of [[], mesh[name].subarray(1), [...mesh[name], 0], [...mesh[name], ...mesh[name]]]) {
+      const { message } = errorOf('PARSE_ERROR', () => lpquad.writeMesh({ ...mesh, [name]: values }, 'msh'));
+      assert.ok(message.startsWith(`mesh.${name} has ${values.length} entries and mesh.${other} has ${mesh[other].length},`),
+        message);
+    }
+  for (const name of ['quads', 'triangles', 'edges']) {
+    const longer = [...mesh[name], 0];
+    assert.match(errorOf('PARSE_ERROR', () => lpquad.writeMesh({ ...mesh, [name]: longer }, 'msh')).message,
+      new RegExp(`mesh\\.${name} has ${longer.length},`));
+  }
+  errorOf('PARSE_ERROR', () => lpquad.writeMesh({ ...mesh, points: new DataView(new ArrayBuffer(8)) }, 'msh'));
 });
 
 test('files that are not what they say are refused with line and byte', async () => {

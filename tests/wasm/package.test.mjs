@@ -50,9 +50,14 @@ test('no code is made from text, so that strict content security policies hold',
 
 test('the web entries need nothing of Node', () => {
   for (const file of ['index.js', 'inline.js', 'inline-surface.js', 'worker.js', 'worker-entry.js', 'glue.js', 'readers-glue.js',
-    'surface-glue.js', 'load.js', 'api.js', 'cad.js', 'cad_repeats.js', 'session.js', 'handle.js', 'client.js', 'domain.js', 'surface.js', 'fields.js',
+    'surface-glue.js', 'load.js', 'api.js', 'cad.js', 'cad-repeats.js', 'session.js', 'handle.js', 'client.js', 'domain.js', 'surface.js', 'fields.js',
     'base64.js', 'checks.js', 'errors.js', 'worker-thread.js'])
     assert.doesNotMatch(text(file), /node:|require\(|__dirname|from 'fs'/, file);
+});
+
+test('names of the package\'s files are written alike: words joined by hyphens', () => {
+  for (const file of readdirSync(dist('')))
+    assert.match(file, /^[a-z0-9]+(-[a-z0-9]+)*(\.d)?\.[a-z]+$/, file);
 });
 
 test('importing does nothing', () => {

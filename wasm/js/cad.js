@@ -1,6 +1,6 @@
 // STEP, IGES and BREP files as triangles, by occt-import-js (LGPL-2.1): a package of its own that the
 // user installs and that is loaded only here.
-import { withoutRepeats } from './cad_repeats.js';
+import { withoutRepeats } from './cad-repeats.js';
 import { LpquadError } from './errors.js';
 
 const kinds = {
@@ -76,10 +76,11 @@ function refuseReferences(bytes) {
 
 /** Each name once: "bolt", "bolt 2", … */
 function eachOnce(names) {
-  const used = new Set();
+  const used = new Set(), next = new Map();
   return names.map((name) => {
-    let unique = name;
-    for (let count = 2; used.has(unique); ++count) unique = `${name} ${count}`;
+    let unique = name, count = next.get(name) ?? 2;
+    for (; used.has(unique); ++count) unique = `${name} ${count}`;
+    next.set(name, count);
     used.add(unique);
     return unique;
   });

@@ -32,17 +32,16 @@ export function checkObject(value, path, known) {
         `${path}.${key} is not known; ${path} has ${known.slice(0, -1).join(', ')} and ${known.at(-1)}.`);
 }
 
-function appendNumber(out, value, path, where) {
+function checkNumber(value, path, where) {
   if (typeof value !== 'number') fail(path, 'a number', value);
   if (!Number.isFinite(value))
     throw new LpquadError('NON_FINITE', `${path} is ${value}; it must be finite.`, where);
-  out.push(value);
+  return value;
 }
 
 function appendPoint(out, value, path, where) {
   if (!isList(value) || value.length !== 2) fail(path, 'a point [x, y]', value);
-  appendNumber(out, value[0], `${path}[0]`, where);
-  appendNumber(out, value[1], `${path}[1]`, where);
+  out.push(checkNumber(value[0], `${path}[0]`, where), checkNumber(value[1], `${path}[1]`, where));
 }
 
 /**
@@ -56,7 +55,7 @@ function appendPoints(out, value, path, where = {}) {
   const count = nested ? value.length : value.length / 2;
   for (let i = 0; i < value.length; ++i)
     if (nested) appendPoint(out, value[i], `${path}[${i}]`, { ...where, edge: i });
-    else appendNumber(out, value[i], `${path}[${i}]`, { ...where, edge: i >> 1 });
+    else out.push(checkNumber(value[i], `${path}[${i}]`, { ...where, edge: i >> 1 }));
   return count;
 }
 
@@ -72,9 +71,17 @@ class Names {
   }
 }
 
+/** Of the loop that comes last, of `size` points: its first may be repeated at its end. */
+function edgesOf({ points }, size) {
+  const first = points.length - 2 * size, last = points.length - 2;
+  const repeated = size > 1 && points[first] === points[last] && points[first + 1] === points[last + 1];
+  return repeated ? size - 1 : size;
+}
+
 function packTags(packed, tags, size, path, names) {
   checkList(tags, path, 'an array of texts, one per edge');
-  if (tags.length > 0 && tags.length !== size) fail(path, `as long as its loop (${size})`, tags);
+  const edges = edgesOf(packed, size);
+  if (![0, edges, size].includes(tags.length)) fail(path, `as long as its loop has edges (${edges})`, tags);
   for (let e = 0; e < size; ++e) packed.edgeTags.push(names.number(tags[e], `${path}[${e}]`));
 }
 
@@ -154,15 +161,15 @@ export const sizesForm = 'points with a target size each: [[x, y, h], …], all 
 export function packDomain(domain) {
   const packed = { regions: [], loopsPerRegion: [], sizes: [], points: [], edgeTags: [],
     polylineTags: [], pointTags: [], seeds: [] };
-  const names = new Names(), h = [0];
+  const names = new Names();
   packRegions(packed, domain, names);
   packPolylines(packed, domain.polylines ?? [], names);
   packPoints(packed, domain.points ?? [], names);
   appendPoints(packed.seeds, domain.seedPoints ?? [], 'domain.seedPoints');
-  if (domain.h !== undefined) appendNumber(h, domain.h, 'domain.h');
+  const h = domain.h === undefined ? 0 : checkNumber(domain.h, 'domain.h');
   const sizesAt = flatTuples(domain.sizes ?? [], 3);
   if (sizesAt === null) fail('domain.sizes', sizesForm, domain.sizes);
-  return { regions: packed.regions, tags: names.list, h: h.at(-1), sizesAt,
+  return { regions: packed.regions, tags: names.list, h, sizesAt,
     guides: packGuides(domain.guides ?? [], 'domain.guides'), seeds: Float64Array.from(packed.seeds),
     points: Float64Array.from(packed.points),
     loopsPerRegion: Int32Array.from(packed.loopsPerRegion), sizes: Int32Array.from(packed.sizes),

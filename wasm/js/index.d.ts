@@ -20,7 +20,7 @@ export type {
   SurfaceProgress, SurfaceReport, SurfaceSession, SurfaceSnapshot, SurfaceStage,
 } from './surface.js';
 
-/** A closed loop: `[[x, y], …]` or flat `[x0, y0, x1, y1, …]`. The first point is not repeated. */
+/** A closed loop: `[[x, y], …]` or flat `[x0, y0, x1, y1, …]`. The first point may be repeated at the end, and need not. */
 export type Loop = ReadonlyArray<readonly [number, number]> | ArrayLike<number>;
 
 /** Target sizes at points: `[[x, y, h], …]` or flat `[x0, y0, h0, …]`. */
@@ -33,7 +33,11 @@ export type Guides = ReadonlyArray<Loop>;
 export interface Loops {
   /** In any order and orientation. */
   loops: readonly Loop[];
-  /** One text per loop and edge; edge i runs from point i to i + 1. `''` is untagged. */
+  /**
+   * One text per loop and edge; edge i runs from point i to i + 1. `''` is untagged. A loop without tags has `[]` or is
+   * beyond the end; any other count than that of its edges is an error, so that no tag is missed in silence. (Of a file
+   * that has too few, readDomain warns, and gives `''` to the edges that are left.)
+   */
   tags?: ReadonlyArray<ReadonlyArray<string | null | undefined>>;
 }
 
@@ -103,6 +107,7 @@ export interface Mesh {
   quadRegions: Int32Array;
   /** Left-over triangles (only where they were allowed), 3 #T. */
   triangles: Uint32Array;
+  /** Region of each triangle, #T. */
   triangleRegions: Int32Array;
   /** The 1D mesh: edges a, b of the outline, holes, region borders and polylines, 2 #E. */
   edges: Uint32Array;
@@ -112,8 +117,9 @@ export interface Mesh {
   edgeRegions: Int32Array;
   /** Region, loop and edge of the domain each edge comes from, 3 #E; a polyline has region -1. */
   edgeOrigins: Int32Array;
-  /** Vertices the caller tagged, and their tags. */
+  /** Vertices the caller tagged. */
   taggedPoints: Uint32Array;
+  /** Tag of each of them, index into `tags`. */
   pointTags: Int32Array;
   /** Names as given; `''` = unnamed. */
   regions: string[];
@@ -342,7 +348,11 @@ export interface Lpquad extends Description {
   meshSurface(surface: SurfaceInput, options?: SurfaceCallOptions): Promise<SurfaceMeshResult>;
   /** The same in steps. */
   startSurface(surface: SurfaceInput, options?: SurfaceOptions): Promise<SurfaceSession>;
-  /** A mesh as the text of a file; a mesh on a surface in one of `surfaceMeshFormats`. */
+  /**
+   * A mesh as the text of a file; a mesh on a surface in one of `surfaceMeshFormats`.
+   * @throws {LpquadError} PARSE_ERROR for arrays whose lengths do not fit together, named with both lengths, and for
+   * indices that lead nowhere.
+   */
   writeMesh(mesh: SurfaceMesh, format: SurfaceMeshFormat, options?: WriteOptions): string;
   writeMesh(mesh: Mesh & { dimension?: 2 }, format: MeshFormat, options?: WriteOptions): string;
 }

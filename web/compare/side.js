@@ -14,18 +14,37 @@ import { projectOf } from './comparisons.js';
 
 const nothing = { project: null, frame: null };  // a side has no previews
 
-/** @param {App} app  @param {string} letter  @param {() => Promise<LpquadWorker>} createEngine */
-export function createSide(app, letter, createEngine) {
-  /** @type {{project: Project, side: Side, made: Project} | null} */
-  let last = null;
-  const runner = new Runner(createEngine);
-  runner.still = app.runner.still;
-  runner.wantedLayers = () => app.store.project.layers;
+/** @param {string} letter */
+function createParts(letter) {
   const name = h('span', null), told = h('output', { className: 'quiet numbers' });
   const canvas = h('canvas', { role: 'img', tabIndex: 0 });  // arrow keys move the view
   const area = h('div', { className: 'side-stage' }, h('canvas', { 'aria-hidden': 'true' }), canvas);
   const element = h('div', { className: 'side', role: 'group', 'aria-label': `Mesh ${letter}` },
     h('div', { className: 'side-head' }, h('strong', null, letter), name, told), area);
+  return { name, told, canvas, area, element };
+}
+
+/** @param {App} app  @param {() => Promise<LpquadWorker>} createEngine */
+function createRunner(app, createEngine) {
+  const runner = new Runner(createEngine);
+  runner.still = app.runner.still;
+  runner.wantedLayers = () => app.store.project.layers;
+  return runner;
+}
+
+/** @param {Runner['run']} run  @param {string} freshness */
+function wordsOf(run, freshness) {
+  if (freshness !== 'current') return 'out of date';
+  const { etaMean, fourValentPercent } = figuresOf(run);
+  return describe(run) + (etaMean === undefined ? '' : `, η ${etaMean.toFixed(3)}, ${fourValentPercent?.toFixed(1)} % regular`);
+}
+
+/** @param {App} app  @param {string} letter  @param {() => Promise<LpquadWorker>} createEngine */
+export function createSide(app, letter, createEngine) {
+  /** @type {{project: Project, side: Side, made: Project} | null} */
+  let last = null;
+  const runner = createRunner(app, createEngine);
+  const { name, told, canvas, area, element } = createParts(letter);
   const project = () => last?.made ?? app.store.project;
   const stage = new Stage(area, () => ({
     ...app.scene(), ...shownOf(project(), runner.run, nothing),
@@ -34,9 +53,7 @@ export function createSide(app, letter, createEngine) {
 
   const refresh = () => {
     const { freshness } = stage.scene();
-    const { etaMean, fourValentPercent } = figuresOf(runner.run);
-    const good = etaMean === undefined ? '' : `, η ${etaMean.toFixed(3)}, ${fourValentPercent?.toFixed(1)} % regular`;
-    const text = freshness === 'current' ? describe(runner.run) + good : 'out of date';
+    const text = wordsOf(runner.run, freshness);
     setText(told, text);
     told.title = text;  // it may be cut off
     canvas.setAttribute('aria-label', `Mesh ${letter}, ${withoutSubscripts(last?.side.name ?? '')}: ${text}`);

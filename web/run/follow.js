@@ -29,9 +29,25 @@ export function shownOf(project, run, preview) {
   return { frame, result, freshness, layers: shownLayers(project.layers, frame ?? run.state) };
 }
 
+/** @param {App} app  @param {Preview} preview */
+function createStart(app, preview) {
+  const { runner } = app;
+  /** @param {Project} project  @param {'play' | 'end'} going  @param {boolean} [keep] */
+  return (project, going, keep = going === 'end') => {
+    if (!keep) preview.clear();
+    const [problem] = app.problemsOf(project.drawing);
+    if (problem) runner.refuse(project, problem, { keep });
+    else {
+      const open = app.recordings.find((recording) => haveSameMesh(recording.project, project))?.open;
+      void runner.load(project, { going: runner.still ? 'end' : going, keep, open });
+    }
+  };
+}
+
 /** @param {App} app  @param {Preview} preview  @returns how the first run is started */
 export function installFollowing(app, preview) {
   const { store, runner } = app;
+  const start = createStart(app, preview);
   let timer = /** @type {ReturnType<typeof setTimeout> | undefined} */ (undefined);
   let held = false;  // the run was stopped for a gesture, not by the person
 
@@ -43,17 +59,6 @@ export function installFollowing(app, preview) {
     if (same && held) void runner.end();
     if (!same) start(project, going, keep);
     held = false;
-  }
-
-  /** @param {Project} project  @param {'play' | 'end'} going  @param {boolean} [keep] */
-  function start(project, going, keep = going === 'end') {
-    if (!keep) preview.clear();
-    const [problem] = app.problemsOf(project.drawing);
-    if (problem) runner.refuse(project, problem, { keep });
-    else {
-      const open = app.recordings.find((recording) => haveSameMesh(recording.project, project))?.open;
-      void runner.load(project, { going: runner.still ? 'end' : going, keep, open });
-    }
   }
 
   /** @param {Project} project */

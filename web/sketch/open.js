@@ -56,77 +56,111 @@ function within(reading) {
 /** @param {string | Uint8Array} source  @param {string} name  @param {AbortSignal} signal */
 const read = (source, name, signal) => besideThePage(signal, (engine) => within(engine.readDomain(source, name ? { name } : {})));
 
-/** @param {App} app  @param {(notice: Notice) => void} show */
-export function installOpening(app, show) {
-  const { store, stage, actions, announce } = app;
+/** Makes files, or pasted text, the drawing. */
+class Opening {
+  #app;
+  #show;
+
+  /** @param {App} app  @param {(notice: Notice) => void} show */
+  constructor(app, show) {
+    this.#app = app;
+    this.#show = show;
+  }
 
   /** @param {ReadDomain} domain  @param {string} name  @param {string} [title]  of the drawing */
-  function take(domain, name, title = name) {
-    replaceProject(app, `Open ${name}`, { ...fromRead(domain, title), comparison: store.project.comparison });
+  #take(domain, name, title = name) {
+    const { announce, store } = this.#app;
+    replaceProject(this.#app, `Open ${name}`, { ...fromRead(domain, title), comparison: store.project.comparison });
     announce(`${name} opened: ${pointCount(domain)} points`);
     if (domain.warnings.length > 0)
-      show({ title: `${name} was opened, with changes.`, details: domain.warnings.map(({ message }) => message).join(' ') });
+      this.#show({ title: `${name} was opened, with changes.`, details: domain.warnings.map(({ message }) => message).join(' ') });
   }
 
   /** @param {unknown} thrown  @param {string} name */
-  function fail(thrown, name) {
+  fail(thrown, name) {
     const { code: given, message, where = {} } = /** @type {any} */ (thrown);
     const code = typeof given === 'string' ? given : 'IO_ERROR';  // errors of the browser have numbers
     const line = where.line === undefined ? '' : ` (line ${where.line})`;
-    show({ title: refusalOf(code), details: `${name}: ${message}${line}`, refused: true });
+    this.#show({ title: refusalOf(code), details: `${name}: ${message}${line}`, refused: true });
   }
 
   /** @param {AbortSignal} signal  @param {() => Promise<string | Uint8Array>} source  @param {string} name  @param {string} [title]  of the drawing */
-  async function openSource(signal, source, name, title) {
+  async #openSource(signal, source, name, title) {
     try {
-      announce(`Opening ${name}`);
+      this.#app.announce(`Opening ${name}`);
       const domain = await read(await source(), name.includes('.') ? name : '', signal);
       signal.throwIfAborted();
-      if (pointCount(domain) > mostPoints) throw Object.assign(
-        new Error(`It has ${pointCount(domain)} points; ${mostPoints} can be edited here. The command line meshes it.`), { code: 'TOO_LARGE' });
-      if (pointCount(domain) === 0) throw Object.assign(new Error('It has no outline.'), { code: 'EMPTY' });
-      take(domain, name, title);
+      refuseCount(pointCount(domain));
+      this.#take(domain, name, title);
     } catch (thrown) {
-      if (!signal.aborted) fail(thrown, name);
+      if (!signal.aborted) this.fail(thrown, name);
     }
   }
 
   /** @param {File} file  @param {File[]} files  it, and what came with it  @param {AbortSignal} signal */
-  async function openOne(file, files, signal) {
+  async #openOne(file, files, signal) {
     try {
-      for (const opener of app.openers) if (await opener(files, signal) || signal.aborted) return;
+      for (const opener of this.#app.openers) if (await opener(files, signal) || signal.aborted) return;
     } catch (thrown) {
-      if (!signal.aborted) fail(thrown, file.name);
+      if (!signal.aborted) this.fail(thrown, file.name);
       return;
     }
-    if (file.size > mostBytes) return fail({ code: 'TOO_LARGE', message: `It has ${Math.round(file.size / 2 ** 20)} MiB; the page takes 64.` }, file.name);
-    await openSource(signal, async () => new Uint8Array(await file.arrayBuffer()), file.name);
+    if (file.size > mostBytes) return this.fail({ code: 'TOO_LARGE', message: `It has ${Math.round(file.size / 2 ** 20)} MiB; the page takes 64.` }, file.name);
+    await this.#openSource(signal, async () => new Uint8Array(await file.arrayBuffer()), file.name);
   }
 
   /** @param {File[]} files */
-  async function openFiles(files) {
+  async openFiles(files) {
     const file = files.find(({ name }) => hasEnding(name)) ?? files[0];
-    if (file !== undefined) await app.reading(file.name, (signal) => openOne(file, files, signal));
+    if (file !== undefined) await this.#app.reading(file.name, (signal) => this.#openOne(file, files, signal));
   }
 
-  app.openFiles = openFiles;
+  /** @param {string} text */
+  async openPasted(text) {
+    await this.#app.reading('what was pasted', (signal) => this.#openSource(signal, async () => text, 'What was pasted', 'Pasted drawing'));
+  }
+}
+
+/** @param {number} points */
+function refuseCount(points) {
+  if (points > mostPoints) throw Object.assign(
+    new Error(`It has ${points} points; ${mostPoints} can be edited here. The command line meshes it.`), { code: 'TOO_LARGE' });
+  if (points === 0) throw Object.assign(new Error('It has no outline.'), { code: 'EMPTY' });
+}
+
+/** @param {(files: File[]) => void} open */
+function createInput(open) {
   const input = h('input', { type: 'file', multiple: true, hidden: true, 'aria-label': 'Files to open', onchange: () => {
-    void openFiles([...input.files ?? []]);
+    open([...input.files ?? []]);
     input.value = '';
   } });
-  document.body.append(input);
-  actions.add(
-    { id: 'file.open', label: 'Open a file', icon: 'open', keys: ['Ctrl+O'], run: () => input.click() },
-    { id: 'sketch.empty', label: 'Begin empty', icon: 'file', run: () => {
-      replaceProject(app, 'Begin empty', { ...emptyProject, drawing: emptyDrawing });
-      actions.run('tool.polygon');
-    } },
-  );
-  listenForDrops(stage.element, openFiles, (thrown) => fail(thrown, 'What was dropped'));
+  return input;
+}
+
+/** @param {Opening} opening */
+function listenForPaste(opening) {
   window.addEventListener('paste', (event) => {
     if (event.target instanceof HTMLInputElement || event.target instanceof HTMLTextAreaElement) return;
     const files = [...event.clipboardData?.files ?? []], text = event.clipboardData?.getData('text/plain') ?? '';
-    if (files.length > 0) void openFiles(files);
-    else if (text.trim() !== '') void app.reading('what was pasted', (signal) => openSource(signal, async () => text, 'What was pasted', 'Pasted drawing'));
+    if (files.length > 0) void opening.openFiles(files);
+    else if (text.trim() !== '') void opening.openPasted(text);
   });
+}
+
+/** @param {App} app  @param {(notice: Notice) => void} show */
+export function installOpening(app, show) {
+  const opening = new Opening(app, show);
+  const openFiles = (/** @type {File[]} */ files) => opening.openFiles(files);
+  app.openFiles = openFiles;
+  const input = createInput((files) => void openFiles(files));
+  document.body.append(input);
+  app.actions.add(
+    { id: 'file.open', label: 'Open a file', icon: 'open', keys: ['Ctrl+O'], run: () => input.click() },
+    { id: 'sketch.empty', label: 'Begin empty', icon: 'file', run: () => {
+      replaceProject(app, 'Begin empty', { ...emptyProject, drawing: emptyDrawing });
+      app.actions.run('tool.polygon');
+    } },
+  );
+  listenForDrops(app.stage.element, openFiles, (thrown) => opening.fail(thrown, 'What was dropped'));
+  listenForPaste(opening);
 }

@@ -74,58 +74,79 @@ function tagField(sketch) {
   };
 }
 
-/** A circle, a rectangle, or the middle and extent of anything else: groups of four, so that none leaves room that another needs. @param {Sketch} sketch  @param {() => Point[]} path */
-function shapeFields(sketch, path) {
-  const replace = (/** @type {Point[]} */ points, label = 'Change an outline') => {
-    const { selected, drawing } = sketch;
-    if (selected) sketch.change(label, points.length === path().length ? model.movePath(drawing, selected, points) : model.replacePath(drawing, selected, points));
-  };
-  /** What the outline is; worked out again only when it changed. */
+/** @typedef {ReturnType<typeof outlineOf>} Outline */
+
+/** The chosen outline: what it is, worked out again only when it changed, and how it is replaced. @param {Sketch} sketch  @param {() => Point[]} path */
+function outlineOf(sketch, path) {
   let known = { path: /** @type {Point[]} */ ([]), round: circleOf([]), box: rectangleOf([]) };
-  const now = () => {
-    if (known.path !== path()) known = { path: path(), round: circleOf(path()), box: rectangleOf(path()) };
-    return known;
+  return {
+    path,
+    now() {
+      if (known.path !== path()) known = { path: path(), round: circleOf(path()), box: rectangleOf(path()) };
+      return known;
+    },
+    /** @param {string} label  @param {Point[]} points */
+    replace(label, points) {
+      const { selected, drawing } = sketch;
+      if (selected) sketch.change(label, points.length === path().length ? model.movePath(drawing, selected, points) : model.replacePath(drawing, selected, points));
+    },
   };
+}
+
+/** @param {Outline} outline */
+function circleFields({ now, replace }) {
   /** @param {string} label  @param {'x' | 'y' | 'radius' | 'count'} key  @param {{min?: number, whole?: boolean}} [how] */
-  const roundField = (label, key, how) => numberField({ label, ...how, get: () => now().round?.[key] ?? null, set: (value) => {
+  const field = (label, key, how) => numberField({ label, ...how, get: () => now().round?.[key] ?? null, set: (value) => {
     const { round } = now();
     if (!round) return;
     const changed = { ...round };
     changed[key] = value;
-    replace(circle(changed.x, changed.y, changed.radius, changed.count, changed.start), 'Change a circle');
+    replace('Change a circle', circle(changed.x, changed.y, changed.radius, changed.count, changed.start));
   } });
+  return [field('Centre x', 'x'), field('Centre y', 'y'), field('Radius', 'radius', { min: 1e-300 }), field('Points', 'count', { min: 3, whole: true })];
+}
+
+/** @param {Outline} outline */
+function rectangleFields({ path, now, replace }) {
   /** @param {string} label  @param {'left' | 'bottom' | 'width' | 'height'} key  @param {{min?: number}} [how] */
-  const boxField = (label, key, how) => numberField({ label, ...how, get: () => now().box?.[key] ?? null, set: (value) => {
+  const field = (label, key, how) => numberField({ label, ...how, get: () => now().box?.[key] ?? null, set: (value) => {
     const { box } = now();
     if (!box) return;
     const { left, bottom, width, height } = Object.assign({ ...box }, { [key]: value });
-    replace(path().map(([x, y]) => [x === box.left ? left : left + width, y === box.bottom ? bottom : bottom + height]), 'Change a rectangle');
+    replace('Change a rectangle', path().map(([x, y]) => [x === box.left ? left : left + width, y === box.bottom ? bottom : bottom + height]));
   } });
+  return [field('Left', 'left'), field('Bottom', 'bottom'), field('Width', 'width', { min: 1e-300 }), field('Height', 'height', { min: 1e-300 })];
+}
+
+/** Middle and extent. @param {Sketch} sketch  @param {Outline} outline */
+function boxFields(sketch, { path, replace }) {
   const middle = (/** @type {number} */ axis) => {
     const box = boxOf(path());
     return path().length > 0 ? (box[axis] + box[axis + 2]) / 2 : null;
+  };
+  const extent = (/** @type {number} */ axis) => {
+    const box = boxOf(path());
+    return box[axis + 2] > box[axis] ? box[axis + 2] - box[axis] : null;  // null: nothing to stretch
   };
   const middleField = (/** @type {string} */ label, /** @type {number} */ axis) => numberField({ label, get: () => middle(axis), set: (value) => {
     const by = value - (middle(axis) ?? value);
     if (sketch.selected) sketch.change('Move an outline', model.shiftPath(sketch.drawing, sketch.selected, axis === 0 ? by : 0, axis === 1 ? by : 0));
   } });
-  const extent = (/** @type {number} */ axis) => {
-    const box = boxOf(path());
-    return box[axis + 2] > box[axis] ? box[axis + 2] - box[axis] : null;  // null: nothing to stretch
-  };
   const extentField = (/** @type {string} */ label, /** @type {number} */ axis) => numberField({ label, min: 1e-300, get: () => extent(axis), set: (value) => {
     const fixed = middle(axis), by = value / (extent(axis) ?? NaN);
     if (fixed === null || !Number.isFinite(by)) return;
     const stretched = (/** @type {number} */ at) => fixed + by * (at - fixed);
-    replace(path().map(([x, y]) => axis === 0 ? [stretched(x), y] : [x, stretched(y)]), 'Stretch an outline');
+    replace('Stretch an outline', path().map(([x, y]) => axis === 0 ? [stretched(x), y] : [x, stretched(y)]));
   } });
-  const groups = [
-    group('Circle', [roundField('Centre x', 'x'), roundField('Centre y', 'y'), roundField('Radius', 'radius', { min: 1e-300 }), roundField('Points', 'count', { min: 3, whole: true })]),
-    group('Rectangle', [boxField('Left', 'left'), boxField('Bottom', 'bottom'), boxField('Width', 'width', { min: 1e-300 }), boxField('Height', 'height', { min: 1e-300 })]),
-    group('Outline', [middleField('Middle x', 0), middleField('Middle y', 1), extentField('Extent x', 0), extentField('Extent y', 1)]),
-  ];
+  return [middleField('Middle x', 0), middleField('Middle y', 1), extentField('Extent x', 0), extentField('Extent y', 1)];
+}
+
+/** A circle, a rectangle, or the middle and extent of anything else: groups of four, so that none leaves room that another needs. @param {Sketch} sketch  @param {() => Point[]} path */
+function shapeFields(sketch, path) {
+  const outline = outlineOf(sketch, path);
+  const groups = [group('Circle', circleFields(outline)), group('Rectangle', rectangleFields(outline)), group('Outline', boxFields(sketch, outline))];
   return { groups, refresh: () => {
-    const { round, box } = now();
+    const { round, box } = outline.now();
     const shown = round ? 0 : box ? 1 : 2;
     groups.forEach(({ element, fields }, i) => {
       element.classList.toggle('away', i !== shown);

@@ -15,8 +15,8 @@ import { circle, rectangle } from './model/shapes.js';
 export function toolFields(app, sketch, tools, id) {
   const { polygon, line, point, brush, guide } = tools;
   switch (id) {
-    case 'polygon': return pointFields('Add point', polygon.addPoint, { label: 'Close the outline', run: polygon.finish });
-    case 'line': return pointFields('Add point', line.addPoint, { label: 'End the line', run: line.finish });
+    case 'polygon': return pointFields('Add point', (p) => polygon.addPoint(p), { label: 'Close the outline', run: () => polygon.finish() });
+    case 'line': return pointFields('Add point', (p) => line.addPoint(p), { label: 'End the line', run: () => line.finish() });
     case 'point': return pointFields('Add point', point.addPoint);
     case 'circle': return circleFields(sketch);
     case 'rectangle': return rectangleFields(sketch);
@@ -102,7 +102,7 @@ function brushFields({ store, announce }, sketch, add) {
 
 /** @param {App} app  @param {Sketch} sketch  @param {Tools['guide']} guide  @returns {Made} */
 function guideFields({ store, announce }, sketch, guide) {
-  const points = pointFields('Add point', guide.addPoint, { label: 'End the stroke', run: guide.finish });
+  const points = pointFields('Add point', (p) => guide.addPoint(p), { label: 'End the stroke', run: () => guide.finish() });
   return { fields: [], content: [
     checkbox('Erase', () => sketch.eraseGuides, (eraseGuides) => sketch.set({ eraseGuides })), ...points.content,
     h('div', { className: 'buttons' }, button('Erase all guides', () => {

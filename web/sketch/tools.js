@@ -3,17 +3,17 @@
 /** @import { IconName } from '../panels/icons.js' */
 /** @import { Tool } from '../stage/stage.js' */
 /** @import { Sketch } from './sketch.js' */
-import { guideTool, sizeBrush } from './tools/brushes.js';
+import { GuideTool, sizeBrush } from './tools/brushes.js';
 import { circleTool, freehandTool, rectangleTool } from './tools/drag_shapes.js';
 import { EditTool } from './tools/edit.js';
-import { pointsTool, pointTool } from './tools/points.js';
+import { PointsTool, pointTool } from './tools/points.js';
 
 /** @typedef {{tool: Tool, label: string, icon: IconName, key: string, hint: string}} ToolEntry */
 
 /** @param {Sketch} sketch */
 export function makeTools(sketch) {
-  const polygon = pointsTool(sketch, true), line = pointsTool(sketch, false), point = pointTool(sketch);
-  const brush = sizeBrush(sketch), guide = guideTool(sketch);
+  const polygon = new PointsTool(sketch, true), line = new PointsTool(sketch, false), point = pointTool(sketch);
+  const brush = sizeBrush(sketch), guide = new GuideTool(sketch);
   /** @type {ToolEntry[]} */
   const entries = [
     { tool: new EditTool(sketch), label: 'Edit', icon: 'edit', key: 'V',

@@ -1,7 +1,8 @@
 // A project, and where its run stands, as the fragment of an address:
 //   #preset=plate&options=size:0.05,norm:2&layers=cells,density&tick=12&data=…
 // Everything that is as the preset has it is left out; without a preset and data it is the first
-// preset. What was drawn, painted or stroked is packed in `data`. A fragment may be anybody's: it is judged before anything of it is used.
+// preset. What was drawn, painted or stroked is packed in `data`. A fragment may be anybody's: it is
+// judged before anything of it is used.
 /** @import { Project } from '../types' */
 import { comparisons } from '../compare/comparisons.js';
 import { chapters } from '../learn/chapters.js';
@@ -122,7 +123,8 @@ function readPlace(parts) {
   return { ...(chapter && { chapter }), ...(tick && { tick: Number(tick) }) };
 }
 
-/** Parts equal to the preset's become the preset's own, so that comparisons stay cheap. @param {Project} project  @param {Project} from */
+/** Parts equal to the preset's become the preset's own, so that comparisons stay cheap.
+ * @param {Project} project  @param {Project} from */
 function shared(project, from) {
   const equal = /** @type {(keyof Project)[]} */ (Object.keys(from)).filter((name) => same(project[name], from[name]));
   return { ...project, ...Object.fromEntries(equal.map((name) => [name, from[name]])) };

@@ -307,7 +307,7 @@ Result<DomainInput> parse_domain_json(std::string_view text) {
 Result<DomainFile> read_json_domain(std::string_view text) {
   auto file = parse_file(text);
   if (!file) return file;
-  if (auto error = judge_lists(file->domain, file->warnings)) return *std::move(error);
+  if (auto error = fit_lists(file->domain, file->warnings)) return *std::move(error);
   return file;
 }
 

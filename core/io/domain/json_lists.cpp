@@ -16,7 +16,7 @@ std::string counts_of(std::size_t loop, std::size_t edges, const char* joint, st
          std::to_string(tags) + (tags == 1 ? " edge tag; " : " edge tags; ");
 }
 
-Problem judge_tags(const DomainInput::Region& region, Where where, FewWarnings& warnings) {
+Problem fit_tags(DomainInput::Region& region, Where where, FewWarnings& warnings) {
   for (std::size_t l = 0; l < region.tags.size(); ++l) {
     const bool has_loop = l < region.loops.size();
     const std::size_t tags = region.tags[l].size();
@@ -26,11 +26,14 @@ Problem judge_tags(const DomainInput::Region& region, Where where, FewWarnings& 
     if (tags > (has_loop ? region.loops[l].size() : 0))
       return Error{ErrorCode::parse_error,
                    counts_of(l, edges, "but ", tags) + "give one tag per edge.", where};
-    if (tags > 0 && tags < edges)
+    if (tags > 0 && tags < edges) {
       warnings.add({ErrorCode::adapted,
                     counts_of(l, edges, "but only ", tags) + "the edges after these have none.",
                     where});
+      region.tags[l].resize(edges);
+    }
   }
+  if (region.tags.size() > region.loops.size()) region.tags.resize(region.loops.size());
   return std::nullopt;
 }
 
@@ -51,14 +54,14 @@ Problem judge_guide(const DomainInput::Guide& guide, Index number) {
 
 }  // namespace
 
-Problem judge_lists(const DomainInput& domain, std::vector<Warning>& warnings) {
+Problem fit_lists(DomainInput& domain, std::vector<Warning>& warnings) {
   for (std::size_t g = 0; g < domain.guides.size(); ++g)
     if (auto error = judge_guide(domain.guides[g], static_cast<Index>(g))) return error;
   FewWarnings of_tags;
   for (std::size_t r = 0; r < domain.regions.size(); ++r) {
     Where where;
     where.region = static_cast<Index>(r);
-    if (auto error = judge_tags(domain.regions[r], where, of_tags)) return error;
+    if (auto error = fit_tags(domain.regions[r], where, of_tags)) return error;
   }
   for (Warning& warning : of_tags.take()) warnings.push_back(std::move(warning));
   return std::nullopt;

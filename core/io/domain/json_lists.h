@@ -1,4 +1,4 @@
-// Do the lists of a JSON domain belong together?
+// Makes the lists of a JSON domain belong together, or says why they do not.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,8 @@
 namespace lpq {
 
 /// Errors: parse_error for tags without an edge, with region and loop, and for a guide without a
-/// direction; a warning for a loop that has some tags, but not one for each edge.
-Problem judge_lists(const DomainInput& domain, std::vector<Warning>& warnings);
+/// direction; a warning for a loop that has some tags, but not one for each edge: the others are
+/// given empty ones.
+Problem fit_lists(DomainInput& domain, std::vector<Warning>& warnings);
 
 }  // namespace lpq

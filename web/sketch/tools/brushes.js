@@ -1,5 +1,5 @@
 // Paints target sizes, and strokes that the quads follow.
-/** @import { Point, Project } from '../../types' */
+/** @import { Point, View } from '../../types' */
 /** @import { Tool } from '../../stage/stage.js' */
 /** @import { Sketch } from '../sketch.js' */
 import { drawBrush, drawDraft } from '../marks.js';
@@ -53,65 +53,98 @@ function withoutStrokesAt(guides, at, within) {
   return left.length === guides.length ? guides : left;
 }
 
-/** @param {Sketch} sketch  @returns {BrushTool & {finish: () => void, count: () => number}} */
-export function guideTool(sketch) {
+/** @implements {Tool} */
+export class GuideTool {
+  id = 'guide';
+  cursor = 'crosshair';
+  #sketch;
   /** @type {Point[]} */
-  let stroke = [];
-  let erasing = '', byHand = false;
+  #stroke = [];
+  #erasing = '';
+  #byHand = false;
 
-  const become = (/** @type {Point[]} */ points) => {
-    stroke = points;
-    sketch.changed();
-  };
-  const add = (/** @type {Point[]} */ line) => {
-    become([]);
-    if (line.length < 2) return sketch.announce('A stroke needs two points.');
-    sketch.store.change('Draw a guide', ({ guides }) => ({ guides: [...guides, line] }));
-    sketch.announce('Guide added');
-  };
-  const erase = (/** @type {Point} */ at, /** @type {number} */ pixel) =>
-    sketch.store.change('Erase guides', ({ guides }) => ({ guides: withoutStrokesAt(guides, at, 12 * pixel) }), erasing);
+  /** @param {Sketch} sketch */
+  constructor(sketch) {
+    this.#sketch = sketch;
+  }
 
-  return {
-    id: 'guide', cursor: 'crosshair', finish: () => add(stroke), count: () => stroke.length,
-    addPoint: (p) => become([...stroke, p]),
-    down(at, event, pixel) {
-      if (sketch.eraseGuides !== event.shiftKey) {
-        erasing = sketch.newGesture('erase');
-        erase(at, pixel);
-      } else {
-        stroke = [at];
-        byHand = true;
-      }
-      return true;
-    },
-    move(at, _, pixel) {
-      if (erasing !== '') return erase(at, pixel);
-      if (!byHand || distance(at, stroke[stroke.length - 1]) < pixel) return;
-      stroke.push(at);
-      sketch.stage.invalidate('overlay');
-    },
-    up(_, __, pixel) {
-      if (erasing !== '') sketch.store.settle();
-      erasing = '';
-      if (byHand && stroke.length > 2) add(tidied(stroke, false, pixel));
-      else if (byHand) become([]);
-      byHand = false;
-    },
-    key({ key }) {
-      if (stroke.length === 0) return false;
-      if (key === 'Enter') add(stroke);
-      else if (key === 'Escape') become([]);
-      else if (key === 'Backspace') become(stroke.slice(0, -1));
-      else return false;
-      return true;
-    },
-    cancel() {
-      if (erasing !== '') sketch.store.settle();
-      erasing = '';
-      byHand = false;
-      stroke = [];
-    },
-    draw: (context, view) => drawDraft(context, view, sketch, stroke, { dots: !byHand }),
-  };
+  count() { return this.#stroke.length; }
+
+  /** @param {Point[]} points */
+  #become(points) {
+    this.#stroke = points;
+    this.#sketch.changed();
+  }
+
+  /** @param {Point[]} line */
+  #add(line) {
+    const { announce, store } = this.#sketch;
+    this.#become([]);
+    if (line.length < 2) return announce('A stroke needs two points.');
+    store.change('Draw a guide', ({ guides }) => ({ guides: [...guides, line] }));
+    announce('Guide added');
+  }
+
+  /** @param {Point} p */
+  addPoint(p) { this.#become([...this.#stroke, p]); }
+  finish() { this.#add(this.#stroke); }
+
+  /** @param {Point} at  @param {number} pixel */
+  #erase(at, pixel) {
+    this.#sketch.store.change('Erase guides', ({ guides }) => ({ guides: withoutStrokesAt(guides, at, 12 * pixel) }), this.#erasing);
+  }
+
+  #endErasing() {
+    if (this.#erasing !== '') this.#sketch.store.settle();
+    this.#erasing = '';
+  }
+
+  /** @param {Point} at  @param {PointerEvent} event  @param {number} pixel */
+  down(at, event, pixel) {
+    if (this.#sketch.eraseGuides !== event.shiftKey) {
+      this.#erasing = this.#sketch.newGesture('erase');
+      this.#erase(at, pixel);
+    } else {
+      this.#stroke = [at];
+      this.#byHand = true;
+    }
+    return true;
+  }
+
+  /** @param {Point} at  @param {PointerEvent} _  @param {number} pixel */
+  move(at, _, pixel) {
+    if (this.#erasing !== '') return this.#erase(at, pixel);
+    if (!this.#byHand || distance(at, this.#stroke[this.#stroke.length - 1]) < pixel) return;
+    this.#stroke.push(at);
+    this.#sketch.stage.invalidate('overlay');
+  }
+
+  /** @param {Point} _  @param {PointerEvent} __  @param {number} pixel */
+  up(_, __, pixel) {
+    this.#endErasing();
+    if (this.#byHand && this.#stroke.length > 2) this.#add(tidied(this.#stroke, false, pixel));
+    else if (this.#byHand) this.#become([]);
+    this.#byHand = false;
+  }
+
+  /** @param {KeyboardEvent} event */
+  key({ key }) {
+    if (this.#stroke.length === 0) return false;
+    if (key === 'Enter') this.finish();
+    else if (key === 'Escape') this.#become([]);
+    else if (key === 'Backspace') this.#become(this.#stroke.slice(0, -1));
+    else return false;
+    return true;
+  }
+
+  cancel() {
+    this.#endErasing();
+    this.#byHand = false;
+    this.#stroke = [];
+  }
+
+  /** @param {CanvasRenderingContext2D} context  @param {View} view */
+  draw(context, view) {
+    drawDraft(context, view, this.#sketch, this.#stroke, { dots: !this.#byHand });
+  }
 }

@@ -1,75 +1,99 @@
 // Outlines and inner lines by their points, and single inner points.
-/** @import { Point } from '../../types' */
+/** @import { Point, View } from '../../types' */
 /** @import { Tool } from '../../stage/stage.js' */
 /** @import { Sketch } from '../sketch.js' */
 import { drawDraft } from '../marks.js';
 import { addLine, addLoop, addPoint } from '../model/drawing.js';
 import { distance, samePlace } from '../model/geometry.js';
 
-/** @typedef {Tool & {addPoint: (p: Point) => void, finish: () => void, count: () => number}} PointsTool */
-
 const twice = 350;  // milliseconds between the clicks of a double click
 
-/** @param {Sketch} sketch  @param {boolean} closed  @returns {PointsTool} */
-export function pointsTool(sketch, closed) {
+/** @implements {Tool} */
+export class PointsTool {
+  cursor = 'crosshair';
+  #sketch;
+  #closed;
+  #least;
   /** @type {Point[]} */
-  let draft = [];
+  #draft = [];
   /** @type {Point | null} */
-  let pointer = null;
-  let last = { time: 0, at: /** @type {Point} */ ([NaN, NaN]) };
-  const least = closed ? 3 : 2;
+  #pointer = null;
+  #last = { time: 0, at: /** @type {Point} */ ([NaN, NaN]) };
 
-  function become(/** @type {Point[]} */ points) {
-    draft = points;
-    sketch.snapped = null;
-    sketch.changed();
+  /** @param {Sketch} sketch  @param {boolean} closed */
+  constructor(sketch, closed) {
+    this.#sketch = sketch;
+    this.#closed = closed;
+    this.#least = closed ? 3 : 2;
+    this.id = closed ? 'polygon' : 'line';
   }
 
-  function finish() {
-    const points = draft.filter((p, i) => i === 0 || !samePlace(p, draft[i - 1]));
-    if (points.length < least) return sketch.announce(`${least - points.length} more points are needed.`);
-    become([]);
-    sketch.change(closed ? 'Draw an outline' : 'Draw a line', closed ? addLoop(sketch.drawing, points) : addLine(sketch.drawing, points));
+  count() { return this.#draft.length; }
+
+  /** @param {Point[]} points */
+  #become(points) {
+    this.#draft = points;
+    this.#sketch.snapped = null;
+    this.#sketch.changed();
   }
 
-  function add(/** @type {Point} */ p) {
-    if (closed && draft.length >= least && samePlace(p, draft[0])) return finish();
-    become([...draft, p]);
-    sketch.announce(`Point ${draft.length}`);
+  finish() {
+    const sketch = this.#sketch, points = this.#draft.filter((p, i) => i === 0 || !samePlace(p, this.#draft[i - 1]));
+    if (points.length < this.#least) return sketch.announce(`${this.#least - points.length} more points are needed.`);
+    this.#become([]);
+    if (this.#closed) sketch.change('Draw an outline', addLoop(sketch.drawing, points));
+    else sketch.change('Draw a line', addLine(sketch.drawing, points));
   }
 
-  const snapped = (/** @type {Point} */ at, /** @type {PointerEvent} */ event, /** @type {number} */ pixel) =>
-    sketch.snap(at, event, pixel, { anchors: draft.slice(-1), more: closed && draft.length >= least ? draft.slice(0, 1) : [] });
+  #isEnough() { return this.#draft.length >= this.#least; }
+
+  /** @param {Point} p */
+  addPoint(p) {
+    if (this.#closed && this.#isEnough() && samePlace(p, this.#draft[0])) return this.finish();
+    this.#become([...this.#draft, p]);
+    this.#sketch.announce(`Point ${this.#draft.length}`);
+  }
+
+  /** @param {Point} at  @param {PointerEvent} event  @param {number} pixel */
+  #snapped(at, event, pixel) {
+    const more = this.#closed && this.#isEnough() ? this.#draft.slice(0, 1) : [];
+    return this.#sketch.snap(at, event, pixel, { anchors: this.#draft.slice(-1), more });
+  }
 
   /** @param {KeyboardEvent} event */
-  function key({ key: name, ctrlKey, metaKey }) {
-    if (ctrlKey || metaKey || draft.length === 0) return false;
-    if (name === 'Enter') finish();
-    else if (name === 'Escape') become([]);
-    else if (name === 'Backspace' || name === 'Delete') become(draft.slice(0, -1));
+  key({ key: name, ctrlKey, metaKey }) {
+    if (ctrlKey || metaKey || this.#draft.length === 0) return false;
+    if (name === 'Enter') this.finish();
+    else if (name === 'Escape') this.#become([]);
+    else if (name === 'Backspace' || name === 'Delete') this.#become(this.#draft.slice(0, -1));
     else return false;
     return true;
   }
 
-  return {
-    id: closed ? 'polygon' : 'line', cursor: 'crosshair', finish, key, addPoint: add, count: () => draft.length,
-    down(at, event, pixel) {
-      const again = event.timeStamp - last.time < twice && distance(at, last.at) < 8 * pixel;
-      last = { time: event.timeStamp, at };
-      if (again && draft.length >= least) finish();
-      else add(snapped(at, event, pixel));
-      return true;
-    },
-    move(at, event, pixel) {
-      pointer = snapped(at, event, pixel);
-    },
-    cancel: () => {
-      pointer = null;
-      sketch.snapped = null;
-      become([]);
-    },
-    draw: (context, view) => drawDraft(context, view, sketch, pointer && draft.length > 0 ? [...draft, pointer] : draft, { dots: true, closed }),
-  };
+  /** @param {Point} at  @param {PointerEvent} event  @param {number} pixel */
+  down(at, event, pixel) {
+    const again = event.timeStamp - this.#last.time < twice && distance(at, this.#last.at) < 8 * pixel;
+    this.#last = { time: event.timeStamp, at };
+    if (again && this.#isEnough()) this.finish();
+    else this.addPoint(this.#snapped(at, event, pixel));
+    return true;
+  }
+
+  /** @param {Point} at  @param {PointerEvent} event  @param {number} pixel */
+  move(at, event, pixel) {
+    this.#pointer = this.#snapped(at, event, pixel);
+  }
+
+  cancel() {
+    this.#pointer = null;
+    this.#become([]);
+  }
+
+  /** @param {CanvasRenderingContext2D} context  @param {View} view */
+  draw(context, view) {
+    const next = this.#pointer && this.#draft.length > 0 ? [this.#pointer] : [];
+    drawDraft(context, view, this.#sketch, [...this.#draft, ...next], { dots: true, closed: this.#closed });
+  }
 }
 
 /** @param {Sketch} sketch  @returns {Tool & {addPoint: (p: Point) => void}} */
