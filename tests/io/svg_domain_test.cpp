@@ -1,6 +1,9 @@
 // SVG: path data against known points and closed forms, transforms, what counts as an outline.
 #include "io/domain/svg_domain.h"
 
+#include <array>
+
+#include "base/rng.h"
 #include "catch.h"
 #include "io/domain/svg_path.h"
 #include "numerics/elementary.h"
@@ -196,6 +199,92 @@ TEST_CASE("outlines nest by the even-odd rule over all elements") {
   const auto tags = file.domain.regions[1].tags;
   REQUIRE(tags.size() == 3);
   CHECK(tags[2] == std::vector<std::string>(4, "hole"));
+}
+
+TEST_CASE("what crosses is painted by its rule, and taken as one") {
+  const std::string star = "d='M0 -10L5.878 8.09-9.511-3.09 9.511-3.09-5.878 8.09z'";
+  const auto whole = read_svg("<path " + star + "/>");
+  REQUIRE(whole.domain.regions.size() == 1);
+  CHECK(whole.domain.regions[0].loops[0].size() == 10);
+  REQUIRE(whole.warnings.size() == 1);
+  CHECK(whole.warnings[0].code == ErrorCode::adapted);
+  for (const char* rule : {"fill-rule='evenodd'", "style='fill-rule:evenodd'"}) {
+    const auto tips = read_svg("<g " + std::string(rule) + "><path id='star' " + star + "/></g>");
+    REQUIRE(tips.domain.regions.size() == 5);
+    CHECK(tips.domain.regions[0].loops[0].size() == 3);
+    CHECK(tips.domain.regions[0].name == "star");
+  }
+  // Elements paint over each other, whatever their rules; what does not cross nests as ever.
+  const std::string two =
+      "<g fill-rule='evenodd'><rect id='a' width='4' height='4'/><rect id='b' x='2' y='2' "
+      "width='4' height='4'/></g>";
+  const auto holed = read_svg(two + "<rect x='2.5' y='2.5' width='1' height='1'/>");
+  REQUIRE(holed.domain.regions.size() == 1);
+  CHECK(region_area(holed.domain.regions[0]) == 16 + 16 - 4 - 1);
+  CHECK(holed.domain.regions[0].loops.size() == 2);
+  const auto hole = read_svg(two + "<rect x='-1' y='-1' width='9' height='9'/>");
+  REQUIRE(hole.domain.regions.size() == 1);
+  CHECK(region_area(hole.domain.regions[0]) == 81 - (16 + 16 - 4));
+  // Not painted: not taken as one.
+  CHECK(refusal(svg("<g fill='none'><rect width='4' height='4'/><rect x='2' y='2' width='4' "
+                    "height='4'/></g>"),
+                DomainFormat::svg)
+            .code == ErrorCode::self_intersection);
+}
+
+namespace {
+
+constexpr int bar_cells = 12;
+
+/// Bars along the axes from end to end of the cells, as one path.
+struct Bars {
+  std::string path;
+  std::array<std::array<int, bar_cells>, bar_cells> winding{};
+
+  void add(Rng& rng, bool upright) {
+    const int from = static_cast<int>(rng.below(bar_cells - 3));
+    const int to = from + 1 + static_cast<int>(rng.below(3));
+    std::array<std::array<int, 2>, 4> corners{
+        {{0, from}, {bar_cells, from}, {bar_cells, to}, {0, to}}};
+    const bool back = rng.below(2) == 1;
+    if (back) std::swap(corners[1], corners[3]);
+    char command = 'M';
+    for (const auto& [along, across] : corners) {
+      path += command + std::to_string(upright ? across : along) + " " +
+              std::to_string(upright ? along : across);
+      command = 'L';
+    }
+    path += 'z';
+    for (int i = 0; i < bar_cells; ++i)
+      for (int j = from; j < to; ++j)
+        (upright ? winding[j][i] : winding[i][j]) += back == upright ? 1 : -1;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("bars that cross have the area of the cells they paint") {
+  Rng rng(11);
+  for (int round = 0; round < 60; ++round) {
+    const bool even_odd = round % 2 == 1;
+    std::string elements;
+    std::array<std::array<bool, bar_cells>, bar_cells> painted{};
+    for (int element = 0; element < 3; ++element) {
+      Bars bars;
+      for (const bool upright : {true, true, false}) bars.add(rng, upright);
+      elements += std::string("<path fill-rule='") + (even_odd ? "evenodd" : "nonzero") + "' d='" +
+                  bars.path + "'/>";
+      for (int i = 0; i < bar_cells; ++i)
+        for (int j = 0; j < bar_cells; ++j)
+          if (even_odd ? bars.winding[i][j] % 2 != 0 : bars.winding[i][j] != 0)
+            painted[i][j] = true;
+    }
+    INFO(elements);
+    int count = 0;
+    for (const auto& column : painted)
+      for (const bool cell : column) count += cell;
+    CHECK(total_area(read_svg(elements).domain) == count);
+  }
 }
 
 TEST_CASE("what is not drawn, not filled or not closed") {

@@ -11,35 +11,6 @@
 namespace lpq {
 namespace {
 
-/// Every point's number among the distinct ones, which keep the order of their first appearance.
-void merge_equal_points(LineWork& lines) {
-  const std::size_t n = lines.points.size();
-  std::vector<Index> order(n), number(n, none);
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index i, Index j) { return lines.points[i] < lines.points[j]; });
-  for (std::size_t k = 1; k < n; ++k) {
-    const Index before = order[k - 1], i = order[k];
-    if (lines.points[before] == lines.points[i])
-      number[i] = number[before] == none ? before : number[before];
-  }
-  Index count = 0;
-  lines.loose.resize(n, 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool first = number[i] == none;  // a first appearance has the least index of its place
-    const bool loose = lines.loose[i] != 0;
-    number[i] = first ? count++ : number[number[i]];
-    lines.points[number[i]] = lines.points[i];
-    lines.loose[number[i]] = loose && (first || lines.loose[number[i]]);
-  }
-  lines.points.resize(static_cast<std::size_t>(count));
-  lines.loose.resize(static_cast<std::size_t>(count));
-  for (LineWork::Edge& edge : lines.edges) {
-    edge.a = number[edge.a];
-    edge.b = number[edge.b];
-  }
-}
-
 void drop_doubled_edges(LineWork& lines, Joined& joined) {
   std::vector<Index> order(lines.edges.size());
   std::iota(order.begin(), order.end(), 0);
@@ -130,6 +101,35 @@ void move_loose_points(LineWork& lines, double tolerance, Joined& joined) {
 }
 
 }  // namespace
+
+// The distinct points keep the order of their first appearance.
+void merge_equal_points(LineWork& lines) {
+  const std::size_t n = lines.points.size();
+  std::vector<Index> order(n), number(n, none);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index i, Index j) { return lines.points[i] < lines.points[j]; });
+  for (std::size_t k = 1; k < n; ++k) {
+    const Index before = order[k - 1], i = order[k];
+    if (lines.points[before] == lines.points[i])
+      number[i] = number[before] == none ? before : number[before];
+  }
+  Index count = 0;
+  lines.loose.resize(n, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool first = number[i] == none;  // a first appearance has the least index of its place
+    const bool loose = lines.loose[i] != 0;
+    number[i] = first ? count++ : number[number[i]];
+    lines.points[number[i]] = lines.points[i];
+    lines.loose[number[i]] = loose && (first || lines.loose[number[i]]);
+  }
+  lines.points.resize(static_cast<std::size_t>(count));
+  lines.loose.resize(static_cast<std::size_t>(count));
+  for (LineWork::Edge& edge : lines.edges) {
+    edge.a = number[edge.a];
+    edge.b = number[edge.b];
+  }
+}
 
 void LineWork::add(std::span<const Vec2> polyline, bool closed, Index source) {
   const auto first = static_cast<Index>(points.size());

@@ -13,6 +13,9 @@ struct LineWork {
   struct Edge {
     Index a = none, b = none;  // points
     Index source = none;       // of the drawing: which element, segment or entity drew it
+    // Outlines that crossed: which of them, numbered as they hang together, end their paint here.
+    // It lies to the left, none to the right.
+    Index painted = none;
   };
   std::vector<Vec2> points;
   std::vector<char> loose;  // #points, or empty: the point may be moved; it is of an open polyline
@@ -21,6 +24,9 @@ struct LineWork {
   /// Appends a polyline; closed: with the edge from its last point to its first.
   void add(std::span<const Vec2> polyline, bool closed, Index source);
 };
+
+/// Makes points at one place one point, the first; what is loose only where all were stays so.
+void merge_equal_points(LineWork& lines);
 
 /// What join_points did. Points are in the drawing's units.
 struct Joined {

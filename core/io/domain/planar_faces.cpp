@@ -156,6 +156,17 @@ std::vector<Index> component_of_points(const LineWork& lines, const std::vector<
 
 }  // namespace
 
+Sides find_sides(const LineWork& lines) {
+  Tracer tracer(lines);
+  tracer.trace(std::vector<char>(lines.edges.size(), 1));
+  Sides sides;
+  for (Index h = 0; h < static_cast<Index>(2 * lines.edges.size()); ++h)
+    sides.walk.push_back(tracer.walk_of(h));
+  for (Index w = 0; w < tracer.walk_count(); ++w)
+    sides.is_outer.push_back(tracer.orientation_of(tracer.walk(w)) <= 0);
+  return sides;
+}
+
 PlanarFaces find_faces(const LineWork& lines) {
   std::vector<char> divides(lines.edges.size(), 1);
   Tracer tracer(lines);

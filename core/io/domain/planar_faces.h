@@ -19,6 +19,15 @@ struct PlanarFaces {
   std::vector<Walk> chains;  // of edges that have the same face on both sides
 };
 
+/// The walks along both sides of every edge.
+struct Sides {
+  std::vector<Index> walk;     // 2 #E  to the left of edge e at 2 e, to its right at 2 e + 1
+  std::vector<char> is_outer;  // #walks  around a component, seen from outside
+};
+
+/// Requires the same of the lines as find_faces. Exact; cost O(n log n).
+Sides find_sides(const LineWork& lines);
+
 /// Requires points without duplicates and edges as join_points leaves them. Edges that cross are
 /// not looked for: whatever comes out then is judged at the door. Exact; cost O(n log n).
 PlanarFaces find_faces(const LineWork& lines);

@@ -23,6 +23,7 @@ class SvgReader {
   void flatten();
   void warn(bool applies, std::string message, ErrorCode code = ErrorCode::ignored);
   void warn_of_elements();
+  void unite_crossing();
   Result<DomainFile> finish();
 
   std::string_view text_;
@@ -50,7 +51,7 @@ void SvgReader::flatten() {
     points.clear();
     outline.path.curve.flatten(tolerance, points);
     bool closed = outline.path.closed;
-    if (!closed && outline.filled && points.size() > 2) {
+    if (!closed && outline.fill != FillRule::none && points.size() > 2) {
       closed = true;  // as filling does (SVG 1.1, 11.3)
       if (!(points.front() == points.back())) ++closed_by_fill_;
     }
@@ -74,8 +75,23 @@ void SvgReader::warn_of_elements() {
            std::to_string(found_.unread_rules) + ".");
 }
 
+void SvgReader::unite_crossing() {
+  std::vector<FillRule> rules(drawing_.sources.size(), FillRule::none);
+  for (const SvgOutline& outline : found_.outlines) rules[outline.source] = outline.fill;
+  const double gap = join_tolerance * drawing_size(drawing_.lines);
+  if (const auto place = unite_painted(drawing_.lines, rules, gap)) {
+    warn(true, "Painted shapes cross: what they cover together was taken, without the lines in it.",
+         ErrorCode::adapted);
+    Where& where = file_.warnings.back().where;
+    where.has_point = true;
+    where.x = place->x;
+    where.y = place->y;
+  }
+}
+
 Result<DomainFile> SvgReader::finish() {
   warn_of_elements();
+  if (!is_too_many(drawing_.lines.points.size(), text_.size())) unite_crossing();
   const double tolerance = join_tolerance * drawing_size(drawing_.lines);
   if (Problem problem = join_drawing(drawing_, text_.size(), tolerance, file_.warnings))
     return *problem;
@@ -87,7 +103,8 @@ Result<DomainFile> SvgReader::finish() {
     return Error{ErrorCode::empty, text + ".", {}};
   }
   const auto name = [&](Index f) { return common_name(drawing_, nested.planar.faces[f]); };
-  const Index outside = add_regions(drawing_, nested, even_faces(nested), name, file_.domain);
+  const Index outside =
+      add_regions(drawing_, nested, painted_faces(drawing_.lines, nested), name, file_.domain);
   warn(outside > 0,
        "Open lines outside all regions were left out: " + std::to_string(outside) + ".");
   return std::move(file_);

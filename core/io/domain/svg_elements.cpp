@@ -20,7 +20,8 @@ struct Inherited {
   bool drawn = true;
   bool visible = true;
   bool filled = true;  // SVG's initial fill is black
-  std::string name;    // of the <use> around, if that has one
+  FillRule rule = FillRule::nonzero;
+  std::string name;  // of the <use> around, if that has one
 };
 
 bool is_one_of(std::string_view name, std::initializer_list<std::string_view> list) {
@@ -140,6 +141,9 @@ void SvgWalker::open_element() {
 void SvgWalker::read_properties(Inherited& own, bool is_target) {
   const std::string fill = svg_property(xml_, sheet_, "fill");
   if (!fill.empty() && fill != "inherit") own.filled = fill != "none" && fill != "transparent";
+  const std::string rule = svg_property(xml_, sheet_, "fill-rule");
+  if (rule == "evenodd") own.rule = FillRule::even_odd;
+  if (rule == "nonzero") own.rule = FillRule::nonzero;
   const std::string visibility = svg_property(xml_, sheet_, "visibility");
   if (!visibility.empty() && visibility != "inherit") own.visible = visibility == "visible";
   if (const XmlAttribute* transform = xml_.find("transform"))
@@ -156,9 +160,10 @@ void SvgWalker::draw_shape(const Inherited& own) {
   const XmlAttribute* id = own.name.empty() ? xml_.find("id") : nullptr;
   const Index source = drawing_.add_source(id == nullptr ? own.name : xml_value(id->raw),
                                            line_of(byte), static_cast<std::int64_t>(byte));
+  const FillRule fill = own.filled && xml_.name() != "line" ? own.rule : FillRule::none;
   for (Subpath& path : subpaths) {
     path.curve.transform(own.map);
-    found_.outlines.push_back({std::move(path), own.filled && xml_.name() != "line", source});
+    found_.outlines.push_back({std::move(path), fill, source});
   }
 }
 

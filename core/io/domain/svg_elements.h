@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/domain/drawing.h"
+#include "io/domain/painted.h"
 #include "io/domain/svg_path.h"
 
 namespace lpq {
@@ -13,7 +14,7 @@ namespace lpq {
 /// A subpath in the drawing's coordinates, y upwards.
 struct SvgOutline {
   Subpath path;
-  bool filled = true;
+  FillRule fill = FillRule::nonzero;
   Index source = none;  // of the drawing
 };
 

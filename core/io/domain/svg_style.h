@@ -18,7 +18,8 @@ namespace lpq {
 std::string svg_attribute(const XmlReader& xml, std::string_view name);
 
 /// What may be asked for of a style sheet.
-inline constexpr std::array<std::string_view, 3> sheet_properties{"display", "visibility", "fill"};
+inline constexpr std::array<std::string_view, 4> sheet_properties{"display", "visibility", "fill",
+                                                                  "fill-rule"};
 
 /// The <style> elements of a document. Rules apply whose selectors are a name of an element, *,
 /// classes, ids or these in one, as in "path.hidden"; others are counted. Blocks of @-rules are

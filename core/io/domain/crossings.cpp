@@ -1,0 +1,126 @@
+// See crossings.h.
+#include "io/domain/crossings.h"
+
+#include <algorithm>
+
+#include "domain/box_tree.h"
+#include "geometry/segment.h"
+
+namespace lpq {
+namespace {
+
+constexpr std::size_t most_crossings = 1 << 20;
+// A rounded crossing bends its edges, and they may cross others beside it; twice in a row is rare.
+constexpr int most_rounds = 8;
+
+bool meet_wrongly(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  if (a == b || c == d) return false;
+  const bool common = a == c || a == d || b == c || b == d;
+  switch (meet(a, b, c, d)) {
+    case Meeting::apart: return false;
+    case Meeting::crossing: return true;
+    case Meeting::touching: return !common;
+    case Meeting::overlapping: return !((a == c && b == d) || (a == d && b == c));
+  }
+  return false;
+}
+
+/// A point on the way along an edge.
+struct Stop {
+  Index edge = none;
+  double way = 0;
+  Index point = none;
+};
+
+class Divider {
+ public:
+  explicit Divider(LineWork& lines) : lines_(lines) {}
+
+  void divide(const std::vector<Crossing>& crossings) {
+    for (const Crossing& c : crossings) stop_at(c);
+    std::sort(stops_.begin(), stops_.end(), [](const Stop& s, const Stop& t) {
+      if (s.edge != t.edge) return s.edge < t.edge;
+      return s.way != t.way ? s.way < t.way : s.point < t.point;
+    });
+    std::vector<LineWork::Edge> edges;
+    edges.reserve(lines_.edges.size() + stops_.size());
+    auto stop = stops_.begin();
+    for (std::size_t e = 0; e < lines_.edges.size(); ++e) {
+      LineWork::Edge rest = lines_.edges[e];
+      for (; stop != stops_.end() && stop->edge == static_cast<Index>(e); ++stop) {
+        edges.push_back({rest.a, stop->point, rest.source});
+        rest.a = stop->point;
+      }
+      edges.push_back(rest);
+    }
+    lines_.edges = std::move(edges);
+  }
+
+ private:
+  Vec2 at(Index p) const { return lines_.points[p]; }
+
+  void stop_at(const Crossing& c) {
+    const LineWork::Edge one = lines_.edges[c.edge], two = lines_.edges[c.other];
+    if (meet(at(one.a), at(one.b), at(two.a), at(two.b)) == Meeting::crossing) {
+      const auto point = static_cast<Index>(lines_.points.size());
+      lines_.points.push_back(crossing_point(at(one.a), at(one.b), at(two.a), at(two.b)));
+      add(c.edge, point);
+      add(c.other, point);
+      return;
+    }
+    for (const Index p : {two.a, two.b})
+      if (on_segment(at(p), at(one.a), at(one.b))) add(c.edge, p);
+    for (const Index p : {one.a, one.b})
+      if (on_segment(at(p), at(two.a), at(two.b))) add(c.other, p);
+  }
+
+  void add(Index edge, Index point) {
+    const Vec2 a = at(lines_.edges[edge].a), b = at(lines_.edges[edge].b);
+    stops_.push_back({edge, dot(at(point) - a, b - a), point});
+  }
+
+  LineWork& lines_;
+  std::vector<Stop> stops_;
+};
+
+void drop_edges_without_length(LineWork& lines) {
+  const auto no_length = [](const LineWork::Edge& edge) { return edge.a == edge.b; };
+  lines.edges.erase(std::remove_if(lines.edges.begin(), lines.edges.end(), no_length),
+                    lines.edges.end());
+}
+
+}  // namespace
+
+std::optional<std::vector<Crossing>> find_crossings(const LineWork& lines) {
+  const auto at = [&](Index p) { return lines.points[p]; };
+  std::vector<Box> boxes;
+  boxes.reserve(lines.edges.size());
+  for (const LineWork::Edge& edge : lines.edges) boxes.push_back(box_of(at(edge.a), at(edge.b)));
+  const BoxTree tree(boxes);
+  std::vector<Crossing> crossings;
+  for (Index e = 0; e < static_cast<Index>(boxes.size()); ++e) {
+    const LineWork::Edge& one = lines.edges[e];
+    tree.walk([&](Index, const Box& box) { return overlap(boxes[e], box); },
+              [&](Index f) {
+                const LineWork::Edge& two = lines.edges[f];
+                if (f > e && meet_wrongly(at(one.a), at(one.b), at(two.a), at(two.b)))
+                  crossings.push_back({e, f});
+              });
+    if (crossings.size() > most_crossings) return std::nullopt;
+  }
+  return crossings;
+}
+
+bool divide_at_crossings(LineWork& lines) {
+  for (int round = 0; round < most_rounds; ++round) {
+    merge_equal_points(lines);
+    drop_edges_without_length(lines);
+    const auto crossings = find_crossings(lines);
+    if (!crossings) return false;
+    if (crossings->empty()) return true;
+    Divider(lines).divide(*crossings);
+  }
+  return false;
+}
+
+}  // namespace lpq
