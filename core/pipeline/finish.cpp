@@ -139,6 +139,26 @@ std::vector<Warning> tell_triangles(const OutputMesh& mesh) {
   return warnings;
 }
 
+std::vector<Warning> tell_thin_quads(const OutputMesh& mesh) {
+  constexpr double thin = 0.01;  // eta
+  Index count = 0;
+  Vec2 first;
+  for (const Face& face : mesh.faces)
+    if (corner_count(face) == 4 && face_eta(mesh.points, face) < thin && count++ == 0)
+      first = centre_of(mesh.points, face);
+  if (count == 0) return {};
+  Warning warning{ErrorCode::bad_size,
+                  "Quads with a corner that is all but straight or closed (eta below " +
+                      short_number(thin) + "): " + std::to_string(count) +
+                      ". The first has an angle or an edge of the boundary beside it that is small "
+                      "for the size. Mend it, or use a smaller size.",
+                  {}};
+  warning.where.has_point = true;
+  warning.where.x = first.x;
+  warning.where.y = first.y;
+  return {warning};
+}
+
 SizeFidelity size_fidelity(const QuadMesh& mesh, const Fields& fields) {
   std::vector<double> ratios;
   ratios.reserve(mesh.faces.size() * 4);

@@ -189,6 +189,17 @@ TEST_CASE("a written mesh is read as the domain of its regions") {
   }
 }
 
+TEST_CASE("MSH: lines that miss each other by rounding close an outline") {
+  const auto triangle = [](const char* last) {
+    return std::string(
+               "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n") +
+           "4 " + last + " 0 0\n$EndNodes\n$Elements\n3\n1 1 2 0 1 1 2\n2 1 2 0 1 2 3\n" +
+           "3 1 2 0 1 3 4\n$EndElements\n";
+  };
+  CHECK(total_area(lpq_test::read_file(triangle("2e-16"), DomainFormat::msh).domain) == 0.5);
+  CHECK(refusal(triangle("1e-9"), DomainFormat::msh).code == ErrorCode::parse_error);
+}
+
 TEST_CASE("MSH: lines inside, holes in the mesh, turned faces, faces that overlap") {
   const std::string head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
   std::string nodes = "$Nodes\n16\n";

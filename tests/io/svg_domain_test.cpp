@@ -324,6 +324,17 @@ TEST_CASE("relative commands that come back but for rounding close without an ed
   CHECK(file.warnings.empty());
 }
 
+TEST_CASE("curves that miss their start by the digits of their numbers close there") {
+  const auto disk = read_svg("<path d='M8 2c3 0 6 3 6 6s-3 6-6 6-6-3-6-6 3-6 6.001-6z'/>");
+  CHECK(disk.warnings.empty());
+  REQUIRE(disk.domain.regions.size() == 1);
+  const auto& loop = disk.domain.regions[0].loops[0];
+  for (std::size_t i = 1; i < loop.size(); ++i) CHECK(distance(loop[i - 1], loop[i]) > 0.01);
+  CHECK(distance(loop.front(), loop.back()) > 0.01);
+  // Lines of that length are meant.
+  CHECK(read_svg("<path d='M0 0h9v9h-9v-8.999l-.001 0z'/>").domain.regions[0].loops[0].size() == 6);
+}
+
 TEST_CASE("what is hidden is not drawn, and visibility can come back inside") {
   const auto holes = [](const std::string& content) {
     const auto file = read_svg("<rect width='9' height='9'/>" + content);

@@ -309,3 +309,15 @@ TEST_CASE("a monitor can stop the run") {
   CHECK(outcome.error().code == ErrorCode::cancelled);
   CHECK(calls == 3);
 }
+
+TEST_CASE("a quad that is convex by rounding alone is told of, and where it is") {
+  OutputMesh mesh;
+  mesh.points = {{0, 0}, {1, -1e-9}, {2, 0}, {1, 1}, {1, 2}, {0, 2}};
+  mesh.faces = {{0, 1, 2, 3}, {0, 3, 4, 5}};
+  const std::vector<Warning> told = tell_thin_quads(mesh);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].code == ErrorCode::bad_size);
+  CHECK((told[0].where.has_point && told[0].where.x == 1));
+  mesh.points[1].y = -0.5;
+  CHECK(tell_thin_quads(mesh).empty());
+}

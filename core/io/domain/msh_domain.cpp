@@ -28,13 +28,14 @@ class MshDomain {
     drawing_.lines.points = mesh_.points;
     if (const auto problem = collect_sides()) return *problem;
     add_edges();
-    join_points(drawing_.lines, 0);
+    join();
     return finish();
   }
 
  private:
   Problem collect_sides();
   void add_edges();
+  void join();
   Index region_left_of(Vec2 a, Vec2 b) const;
   Index region_of(const Walk& face) const;
   Result<DomainFile> finish();
@@ -93,6 +94,20 @@ void MshDomain::add_edges() {
       if (left != right && first) drawing_.lines.edges.push_back({i, j, untagged_});
     }
   }
+}
+
+/// Lines alone may end beside each other by what rounding makes of two points that are one.
+void MshDomain::join() {
+  constexpr double rounding = 1e-12;  // of the size
+  if (!mesh_.faces.empty()) {
+    join_points(drawing_.lines, 0);
+    return;
+  }
+  std::vector<Index> degree(mesh_.points.size(), 0);
+  for (const LineWork::Edge& edge : drawing_.lines.edges)
+    for (const Index p : {edge.a, edge.b}) ++degree[p];
+  for (const Index d : degree) drawing_.lines.loose.push_back(d == 1);
+  join_points(drawing_.lines, rounding * drawing_size(drawing_.lines));
 }
 
 Index MshDomain::region_of(const Walk& face) const {

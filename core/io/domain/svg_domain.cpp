@@ -1,6 +1,8 @@
 // See svg_domain.h.
 #include "io/domain/svg_domain.h"
 
+#include <algorithm>
+
 #include "io/domain/drawing.h"
 #include "io/domain/svg_elements.h"
 
@@ -33,12 +35,17 @@ class SvgReader {
   DomainFile file_;
 };
 
-/// Relative commands that lead back to the start end beside it, by what rounding adds up to: that
-/// is no edge.
-void drop_rounded_end(double size, std::vector<Vec2>& points) {
-  constexpr double rounding = 1e-11;
-  while (points.size() > 3 && distance(points.front(), points.back()) <= rounding * size)
+/// Relative commands that lead back to the start end beside it, by what rounding adds up to, and
+/// rounded numbers do so by more: that is no edge. Among edges of its own length one may be meant.
+void drop_rounded_end(double size, double tolerance, std::vector<Vec2>& points) {
+  constexpr double rounding = 1e-11, share = 0.05;  // of the size; of the edges beside
+  while (points.size() > 3) {
+    const double gap = distance(points.front(), points.back());
+    const double beside = std::min(distance(points[0], points[1]),
+                                   distance(points.back(), points[points.size() - 2]));
+    if (gap > rounding * size && (gap > tolerance || gap > share * beside)) return;
     points.pop_back();
+  }
 }
 
 void SvgReader::flatten() {
@@ -55,7 +62,7 @@ void SvgReader::flatten() {
       closed = true;  // as filling does (SVG 1.1, 11.3)
       if (!(points.front() == points.back())) ++closed_by_fill_;
     }
-    if (closed) drop_rounded_end(length(box.hi - box.lo), points);
+    if (closed) drop_rounded_end(length(box.hi - box.lo), tolerance, points);
     drawing_.lines.add(points, closed, outline.source);
     outline.path.curve = CurvePath();
   }
