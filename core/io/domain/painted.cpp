@@ -199,7 +199,7 @@ std::optional<Vec2> unite_painted(LineWork& lines, std::span<const FillRule> rul
   LineWork painted{lines.points, lines.loose, {}};
   std::vector<char> is_painted;
   for (const LineWork::Edge& edge : lines.edges) {
-    is_painted.push_back(rules[edge.source] != FillRule::none);
+    is_painted.push_back(rules[edge.source] != FillRule::unfilled);
     if (is_painted.back()) painted.edges.push_back(edge);
   }
   if (!std::all_of(lines.points.begin(), lines.points.end(), is_finite)) return std::nullopt;

@@ -9,7 +9,7 @@
 namespace lpq {
 
 /// How an element is painted inside (W3C, SVG 1.1, chapter 11.3).
-enum class FillRule : char { none, nonzero, even_odd };
+enum class FillRule : char { unfilled, nonzero, even_odd };
 
 /// Outlines that cross, touch along their edges or overlap become the borders of all that they
 /// paint together; the others stay as they are. `rules` are those of the sources. Gaps narrower

@@ -58,7 +58,7 @@ void SvgReader::flatten() {
     points.clear();
     outline.path.curve.flatten(tolerance, points);
     bool closed = outline.path.closed;
-    if (!closed && outline.fill != FillRule::none && points.size() > 2) {
+    if (!closed && outline.fill != FillRule::unfilled && points.size() > 2) {
       closed = true;  // as filling does (SVG 1.1, 11.3)
       if (!(points.front() == points.back())) ++closed_by_fill_;
     }
@@ -83,7 +83,7 @@ void SvgReader::warn_of_elements() {
 }
 
 void SvgReader::unite_crossing() {
-  std::vector<FillRule> rules(drawing_.sources.size(), FillRule::none);
+  std::vector<FillRule> rules(drawing_.sources.size(), FillRule::unfilled);
   for (const SvgOutline& outline : found_.outlines) rules[outline.source] = outline.fill;
   const double gap = join_tolerance * drawing_size(drawing_.lines);
   if (const auto place = unite_painted(drawing_.lines, rules, gap)) {

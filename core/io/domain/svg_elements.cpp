@@ -160,7 +160,7 @@ void SvgWalker::draw_shape(const Inherited& own) {
   const XmlAttribute* id = own.name.empty() ? xml_.find("id") : nullptr;
   const Index source = drawing_.add_source(id == nullptr ? own.name : xml_value(id->raw),
                                            line_of(byte), static_cast<std::int64_t>(byte));
-  const FillRule fill = own.filled && xml_.name() != "line" ? own.rule : FillRule::none;
+  const FillRule fill = own.filled && xml_.name() != "line" ? own.rule : FillRule::unfilled;
   for (Subpath& path : subpaths) {
     path.curve.transform(own.map);
     found_.outlines.push_back({std::move(path), fill, source});
