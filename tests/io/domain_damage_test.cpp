@@ -108,8 +108,8 @@ TEST_CASE("long lines, long names and many small things") {
   CHECK(named.domain.regions[0].name.size() == 127);
   std::string path = "<path d='M0 0";
   for (int i = 0; i < 200'000; ++i) path += "h1v1";
-  const auto stairs = lpq_test::read_file(svg(path + "V0z'/>"), DomainFormat::svg);
-  CHECK(stairs.domain.regions[0].loops[0].size() == 400'002);
+  const auto stairs = lpq_test::read_file(svg(path + "h1V-1z'/>"), DomainFormat::svg);
+  CHECK(stairs.domain.regions[0].loops[0].size() == 400'003);
   std::string circles;
   for (int i = 0; i < 20'000; ++i) circles += "<circle r='9'/>";
   CHECK(refusal(svg(circles), DomainFormat::svg).code == ErrorCode::too_large);

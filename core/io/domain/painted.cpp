@@ -17,6 +17,8 @@
 namespace lpq {
 namespace {
 
+// Of the drawing's size: outlines this near to each other meet.
+constexpr double rounding = 1e-9;
 // Steps over edges, for all elements together.
 constexpr std::size_t most_steps = 1 << 27;
 
@@ -209,7 +211,7 @@ std::optional<Vec2> unite_painted(LineWork& lines, std::span<const FillRule> rul
   for (const Crossing& c : *crossings)
     meeting.push_back({painted.edges[c.edge].a, painted.edges[c.other].a});
   Parted parted = part(lines, is_painted, meeting);
-  if (!divide_at_crossings(parted.crossing)) return std::nullopt;
+  if (!divide_at_crossings(parted.crossing, rounding * drawing_size(lines))) return std::nullopt;
   const Map map = map_of(parted.crossing);
   Painter painter(map, rules);
   if (!painter.paint()) return std::nullopt;
