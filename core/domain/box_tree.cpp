@@ -4,6 +4,8 @@
 #include <compare>
 #include <cstdint>
 
+#include "base/sort_numbers.h"
+
 namespace lpq {
 namespace {
 
@@ -49,7 +51,7 @@ BoxTree::BoxTree(std::span<const Box> boxes, std::span<const Index> group) {
   for (Index i = 0; i < n; ++i)
     keys[i] = {group.empty() ? none : group[i],
                z_order(midpoint(boxes[i].lo, boxes[i].hi), all, cells_per_length), i};
-  std::sort(keys.begin(), keys.end());
+  sort_values(keys);
 
   items_.resize(n);
   boxes_.reserve(n + n / 2 + 16);

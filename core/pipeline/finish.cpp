@@ -41,14 +41,18 @@ std::vector<OutputEdge> output_edges(const BoundaryMesh& boundary) {
 double gap_at(const OutputMesh& mesh, Vec2 place) {
   constexpr double nothing = 1e-12;  // of the extent
   if (mesh.fixed < 2) return 0;
-  std::array<Vec2, 2> nearest;
   const auto before = [place](Vec2 p, Vec2 q) {
     const double by = squared_length(p - place) - squared_length(q - place);
     return by != 0 ? by < 0 : p < q;
   };
-  const auto end = mesh.points.begin() + mesh.fixed;
-  std::partial_sort_copy(mesh.points.begin(), end, nearest.begin(), nearest.end(), before);
-  const double gap = distance(nearest[0], nearest[1]);
+  Vec2 first = mesh.points[0], second = mesh.points[1];  // the two nearest
+  if (before(second, first)) std::swap(first, second);
+  for (Index v = 2; v < mesh.fixed; ++v) {
+    if (!before(mesh.points[v], second)) continue;
+    second = mesh.points[v];
+    if (before(second, first)) std::swap(first, second);
+  }
+  const double gap = distance(first, second);
   return gap < nothing * longer_side(box_of(mesh.points)) ? gap : 0;
 }
 
