@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "domain/box_tree.h"
 #include "geometry/segment.h"
@@ -35,35 +36,13 @@ bool meet_wrongly(Vec2 a, Vec2 b, Vec2 c, Vec2 d, double tolerance) {
   return false;
 }
 
-/// A point on the way along an edge.
-struct Stop {
-  Index edge = none;
-  double way = 0;
-  Index point = none;
-};
-
 class Divider {
  public:
   Divider(LineWork& lines, double tolerance) : lines_(lines), tolerance_(tolerance) {}
 
   void divide(const std::vector<Crossing>& crossings) {
     for (const Crossing& c : crossings) stop_at(c);
-    std::sort(stops_.begin(), stops_.end(), [](const Stop& s, const Stop& t) {
-      if (s.edge != t.edge) return s.edge < t.edge;
-      return s.way != t.way ? s.way < t.way : s.point < t.point;
-    });
-    std::vector<LineWork::Edge> edges;
-    edges.reserve(lines_.edges.size() + stops_.size());
-    auto stop = stops_.begin();
-    for (std::size_t e = 0; e < lines_.edges.size(); ++e) {
-      LineWork::Edge rest = lines_.edges[e];
-      for (; stop != stops_.end() && stop->edge == static_cast<Index>(e); ++stop) {
-        edges.push_back({rest.a, stop->point, rest.source});
-        rest.a = stop->point;
-      }
-      edges.push_back(rest);
-    }
-    lines_.edges = std::move(edges);
+    divide_edges(lines_, std::move(stops_));
   }
 
  private:

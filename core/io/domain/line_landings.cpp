@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/csr.h"
 #include "domain/box_tree.h"
@@ -10,12 +11,6 @@
 
 namespace lpq {
 namespace {
-
-/// A point on the way along an edge.
-struct Stop {
-  Index edge = none, point = none;
-  double way = 0;
-};
 
 class Lander {
  public:
@@ -39,7 +34,7 @@ class Lander {
   Landings run() {
     for (Index i = 0; i < static_cast<Index>(lines_.points.size()); ++i)
       if (lines_.loose[static_cast<std::size_t>(i)] && !neighbours_.row(i).empty()) land(i);
-    divide();
+    divide_edges(lines_, std::move(stops_));
     return landings_;
   }
 
@@ -47,14 +42,13 @@ class Lander {
   Vec2 point(Index i) const { return lines_.points[static_cast<std::size_t>(i)]; }
   void add_stop(Index e, Index i, double gap) {
     const LineWork::Edge& edge = lines_.edges[static_cast<std::size_t>(e)];
-    stops_.push_back({e, i, dot(point(i) - point(edge.a), point(edge.b) - point(edge.a))});
+    stops_.push_back({e, dot(point(i) - point(edge.a), point(edge.b) - point(edge.a)), i});
     if (landings_.count++ > 0 && gap <= landings_.farthest) return;
     landings_.farthest = gap;
     landings_.farthest_at = point(i);
   }
   double gap_to(Index e, Index i) const;
   void land(Index i);
-  void divide();
 
   LineWork& lines_;
   double tolerance_;
@@ -96,25 +90,6 @@ void Lander::land(Index i) {
         nearest = e;
       });
   if (nearest != none && least > 0) add_stop(nearest, i, least);
-}
-
-void Lander::divide() {
-  std::sort(stops_.begin(), stops_.end(), [](const Stop& s, const Stop& t) {
-    if (s.edge != t.edge) return s.edge < t.edge;
-    return s.way != t.way ? s.way < t.way : s.point < t.point;
-  });
-  std::vector<LineWork::Edge> edges;
-  edges.reserve(lines_.edges.size() + stops_.size());
-  auto stop = stops_.begin();
-  for (std::size_t e = 0; e < lines_.edges.size(); ++e) {
-    LineWork::Edge rest = lines_.edges[e];
-    for (; stop != stops_.end() && stop->edge == static_cast<Index>(e); ++stop) {
-      edges.push_back({rest.a, stop->point, rest.source});
-      rest.a = stop->point;
-    }
-    edges.push_back(rest);
-  }
-  lines_.edges = std::move(edges);
 }
 
 }  // namespace

@@ -102,6 +102,25 @@ void move_loose_points(LineWork& lines, double tolerance, Joined& joined) {
 
 }  // namespace
 
+void divide_edges(LineWork& lines, std::vector<Stop> stops) {
+  std::sort(stops.begin(), stops.end(), [](const Stop& s, const Stop& t) {
+    if (s.edge != t.edge) return s.edge < t.edge;
+    return s.way != t.way ? s.way < t.way : s.point < t.point;
+  });
+  std::vector<LineWork::Edge> edges;
+  edges.reserve(lines.edges.size() + stops.size());
+  auto stop = stops.begin();
+  for (std::size_t e = 0; e < lines.edges.size(); ++e) {
+    LineWork::Edge rest = lines.edges[e];
+    for (; stop != stops.end() && stop->edge == static_cast<Index>(e); ++stop) {
+      edges.push_back(rest);
+      edges.back().b = rest.a = stop->point;
+    }
+    edges.push_back(rest);
+  }
+  lines.edges = std::move(edges);
+}
+
 // The distinct points keep the order of their first appearance.
 void merge_equal_points(LineWork& lines) {
   const std::size_t n = lines.points.size();

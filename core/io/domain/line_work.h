@@ -25,6 +25,16 @@ struct LineWork {
   void add(std::span<const Vec2> polyline, bool closed, Index source);
 };
 
+/// Where an edge is to be divided.
+struct Stop {
+  Index edge = none;
+  double way = 0;  // along it; what ascends from its start to its end
+  Index point = none;
+};
+
+/// Divides edges at their stops, given in any order; the pieces are alike but for their ends.
+void divide_edges(LineWork& lines, std::vector<Stop> stops);
+
 /// Makes points at one place one point, the first; what is loose only where all were stays so.
 void merge_equal_points(LineWork& lines);
 
