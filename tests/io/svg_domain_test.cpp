@@ -229,6 +229,9 @@ TEST_CASE("what crosses is painted by its rule, and taken as one") {
   const auto drawn = read_svg("<g fill='none'>" + two.substr(two.find("<rect")));
   CHECK(drawn.warnings.empty());
   CHECK_FALSE(make_domain(drawn.domain).has_value());
+  // Too far away to be measured: left to the door.
+  const auto far = read_svg("<rect width='1e200' height='1e200'/><path d='M-1e200 1h3e200v1z'/>");
+  CHECK(far.warnings.empty());
   // Outlines beside each other by rounding leave no gap and no sliver.
   const auto beside = read_svg(
       "<rect width='4' height='4'/><path d='M2 4.0000000001 3 3.9999999999 4 4v2h-2z'/>"

@@ -4,6 +4,7 @@
 #include "io/domain/painted.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -204,7 +205,8 @@ std::optional<Vec2> unite_painted(LineWork& lines, std::span<const FillRule> rul
     is_painted.push_back(rules[edge.source] != FillRule::unfilled);
     if (is_painted.back()) painted.edges.push_back(edge);
   }
-  if (!std::all_of(lines.points.begin(), lines.points.end(), is_finite)) return std::nullopt;
+  const auto is_within_reach = [](Vec2 p) { return std::isfinite(squared_length(p)); };
+  if (!std::all_of(lines.points.begin(), lines.points.end(), is_within_reach)) return std::nullopt;
   const auto crossings = find_crossings(painted);
   if (!crossings || crossings->empty()) return std::nullopt;
   std::vector<std::pair<Index, Index>> meeting;
