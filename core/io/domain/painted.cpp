@@ -57,23 +57,13 @@ Map map_of(const LineWork& divided) {
   return map;
 }
 
-/// Of the points: numbers of the parts that hang together.
-std::vector<Index> components_of(const LineWork& lines) {
-  DisjointSets sets(static_cast<Index>(lines.points.size()));
-  for (const LineWork::Edge& edge : lines.edges) sets.unite(edge.a, edge.b);
-  std::vector<Index> component;
-  for (std::size_t p = 0; p < lines.points.size(); ++p)
-    component.push_back(sets.root(static_cast<Index>(p)));
-  return component;
-}
-
 class Painter {
  public:
   Painter(const Map& map, std::span<const FillRule> rules)
       : map_(map),
         rules_(rules),
         sides_(find_sides(map.lines)),
-        component_(components_of(map.lines)) {}
+        component_(component_of_points(map.lines, std::vector<char>(map.lines.edges.size(), 1))) {}
 
   /// False: too many steps.
   bool paint();

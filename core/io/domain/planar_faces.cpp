@@ -143,7 +143,8 @@ class ChainMaker {
   std::vector<char> done_;
 };
 
-/// Numbers the parts of the line work that hang together by their edges.
+}  // namespace
+
 std::vector<Index> component_of_points(const LineWork& lines, const std::vector<char>& used) {
   DisjointSets components(static_cast<Index>(lines.points.size()));
   for (std::size_t e = 0; e < lines.edges.size(); ++e)
@@ -153,8 +154,6 @@ std::vector<Index> component_of_points(const LineWork& lines, const std::vector<
     component[i] = components.root(static_cast<Index>(i));
   return component;
 }
-
-}  // namespace
 
 Sides find_sides(const LineWork& lines) {
   Tracer tracer(lines);

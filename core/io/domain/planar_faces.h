@@ -19,6 +19,9 @@ struct PlanarFaces {
   std::vector<Walk> chains;  // of edges that have the same face on both sides
 };
 
+/// Numbers of the parts that hang together by the edges with used[e], for each point.
+std::vector<Index> component_of_points(const LineWork& lines, const std::vector<char>& used);
+
 /// The walks along both sides of every edge.
 struct Sides {
   std::vector<Index> walk;     // 2 #E  to the left of edge e at 2 e, to its right at 2 e + 1
