@@ -254,10 +254,10 @@ TEST_CASE("triangles whose points are rounded one by one are put together") {
     const auto result = repaired(soup);
     const bool is_rounding = error < 1e-5;
     CHECK((result.report.rounding > 0) == is_rounding);
-    CHECK(result.report.border_edges == (is_rounding ? 0 : 3 * box.triangles.size()));
+    const auto count = static_cast<Index>(box.triangles.size());
+    CHECK(result.report.border_edges == (is_rounding ? 0 : 3 * count));
     CHECK(result.mesh.triangles.size() == box.triangles.size());
-    CHECK(repaired(soup, {.weld = 0}).report.components ==
-          static_cast<Index>(box.triangles.size()));
+    CHECK(repaired(soup, {.weld = 0}).report.components == count);
   }
 }
 
