@@ -9,7 +9,7 @@ const quiet = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-ru
   '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage'];
 
 /** For what a slow machine does late: a test says that something happens, not when. */
-const patience = 120000;
+export const patience = 120000;
 
 /** One server and one Chromium for a test file; `open` gives a page of its own storage. */
 export async function startPlayground() {

@@ -1,14 +1,16 @@
 // The page without a network. The build puts `lpquad = {version, files, later}` before this text: the files
-// of the page, those that it fetches when it comes to need them, and a hash of their contents. A cache belongs to one version and never changes; a new
-// version is fetched beside the old one and takes over when no page of the old one is open.
-// Pages come from the network if there is one, so that a reload shows the newest; everything else has
-// the hash of its content in its name and comes from the cache.
+// of the page, those that it fetches when it comes to need them, and a hash of their contents. A cache
+// belongs to one version and never changes; a new version is fetched beside the old one and takes over when
+// no page of the old one is open. Pages come from the network if it answers, so that a reload shows the
+// newest; everything else has the hash of its content in its name and comes from the cache.
 
 /** @typedef {{waitUntil: (done: Promise<unknown>) => void, respondWith: (answer: Promise<Response>) => void, request: Request}} WorkerEvent */
 const worker = /** @type {any} */ (self);
 const { version, files, later } = /** @type {{version: string, files: string[], later: string[]}} */ (worker.lpquad);
 const cacheName = `lpquad-${version}`;
 const home = new URL('./', location.href).href;
+/** For a page of the network, in ms; a bad network would let its reader wait for a minute. */
+const patience = 5000;
 /** Paths of the pages; some servers leave the ending away. The others may be anybody's. */
 const pages = /^(index\.html|space(\.html)?)?([?#]|$)/;
 
@@ -51,14 +53,21 @@ async function removeOld() {
   await worker.clients.claim();
 }
 
+/** The page of the network, or the kept one: at once without a network, after a while with a bad one.
+ * @param {Request} request  @param {Cache} cache */
+async function newestPage(request, cache) {
+  const page = request.url.slice(home.length).startsWith('space') ? `${home}space.html` : home;
+  const kept = await cache.match(page) ?? Response.error();
+  const newest = fetch(request).then((response) => (response.ok ? response : kept), () => kept);
+  /** @type {Promise<Response>} */
+  const late = new Promise((resolve) => { setTimeout(resolve, patience, kept); });
+  return kept.ok ? Promise.race([newest, late]) : newest;
+}
+
 /** @param {Request} request */
 async function answer(request) {
   const cache = await caches.open(cacheName);
-  if (request.mode === 'navigate') {
-    const page = request.url.slice(home.length).startsWith('space') ? `${home}space.html` : home;
-    const kept = () => cache.match(page).then((found) => found ?? Response.error());
-    return fetch(request).then((response) => (response.ok ? response : kept()), kept);
-  }
+  if (request.mode === 'navigate') return newestPage(request, cache);
   return await cache.match(request, { ignoreSearch: true, ignoreVary: true }) ?? fetch(request);
 }
 
