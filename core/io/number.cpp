@@ -9,10 +9,10 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "io/plain_text.h"
+
 namespace lpq {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Exact short decimals: value = n / 10^k with |n| < 2^53 and k <= 6. Both n and 10^k are exact
 /// doubles, so the correctly rounded quotient n / 10^k is what every reader makes of the digits.

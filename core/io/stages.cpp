@@ -5,6 +5,7 @@
 #include "io/json_write.h"
 #include "io/mesh/obj.h"
 #include "io/picture/svg.h"
+#include "io/plain_text.h"
 
 namespace lpq {
 namespace {
@@ -173,8 +174,7 @@ std::string quad_stage_name(std::size_t number, std::string_view name) {
   append_integer(text, static_cast<std::int64_t>(number));
   text += '-';
   for (const char c : name) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    text += plain ? c : '-';
+    text += is_letter(c) || is_digit(c) ? c : '-';
   }
   return text;
 }
