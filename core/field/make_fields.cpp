@@ -38,9 +38,7 @@ bool good_size(double h) { return std::isfinite(h) && h > 0; }
 
 Error error_at(ErrorCode code, std::string message, Vec2 at) {
   Error error{code, std::move(message), {}};
-  error.where.has_point = true;
-  error.where.x = at.x;
-  error.where.y = at.y;
+  error.where.set_point(at.x, at.y);
   return error;
 }
 Error bad_size(std::string message) { return {ErrorCode::bad_size, std::move(message), {}}; }

@@ -36,8 +36,7 @@ std::string_view LineReader::next_bytes(std::size_t count) {
 
 Error LineReader::error(std::string message) const {
   Error error{ErrorCode::parse_error, std::move(message), {}};
-  error.where.line = line_;
-  error.where.byte = static_cast<std::int64_t>(start_);
+  error.where.set_line(line_, static_cast<std::int64_t>(start_));
   return error;
 }
 

@@ -13,8 +13,7 @@ constexpr std::string_view blanks = " \t";
 
 Error error_at_line(std::string message, std::int64_t line, std::int64_t byte) {
   Error error{ErrorCode::parse_error, std::move(message), {}};
-  error.where.line = line;
-  error.where.byte = byte;
+  error.where.set_line(line, byte);
   return error;
 }
 
