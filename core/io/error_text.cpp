@@ -33,9 +33,7 @@ std::string place_text(const Where& where) {
   });
   if (where.has_point) {
     text += text.empty() ? "at " : ", at ";
-    append_number(text, where.x);
-    text += ' ';
-    append_number(text, where.y);
+    append_numbers(text, {where.x, where.y});
   }
   return text;
 }

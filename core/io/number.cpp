@@ -107,6 +107,13 @@ void append_integer(std::string& out, std::int64_t value) {
   out.append(digits, end.ptr);
 }
 
+void append_numbers(std::string& out, std::initializer_list<double> values) {
+  for (const double* value = values.begin(); value != values.end(); ++value) {
+    if (value != values.begin()) out += ' ';
+    append_number(out, *value);
+  }
+}
+
 void append_fixed(std::string& out, double value, int decimals) {
   if (!(std::fabs(value) < 1e9)) value = 0;  // also NaN: a picture has no place for it
   std::int64_t power = 1;

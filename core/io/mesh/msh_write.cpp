@@ -52,12 +52,8 @@ class MshWriter {
     out_.back() = '\n';
   }
   void coordinates(Vec3 p) {
-    bool first = !out_.empty() && out_.back() == '\n';
-    for (const double x : {p.x, p.y, p.z}) {
-      if (!first) out_ += ' ';
-      append_number(out_, x);
-      first = false;
-    }
+    if (out_.back() != '\n') out_ += ' ';
+    append_numbers(out_, {p.x, p.y, p.z});
     out_ += '\n';
   }
 
@@ -133,10 +129,8 @@ class MshWriter {
   };
   void bounding_box(const Box& box) {
     for (const Vec3 p : {box.lo, box.hi}) {
-      for (const double x : {p.x, p.y, p.z}) {
-        text(" ");
-        append_number(out_, x);
-      }
+      text(" ");
+      append_numbers(out_, {p.x, p.y, p.z});
     }
   }
   Vec3 point(Index v) const { return mesh_.point(v); }
@@ -148,10 +142,8 @@ class MshWriter {
     for (std::size_t p = 0; p < mesh_.tagged_points.size(); ++p) {
       integer(p + 1);
       const Vec3 at = point(mesh_.tagged_points[p].point);
-      for (const double x : {at.x, at.y, at.z}) {
-        text(" ");
-        append_number(out_, x);
-      }
+      text(" ");
+      append_numbers(out_, {at.x, at.y, at.z});
       text(" 1 ");
       line(model_.point_physical[p]);
     }
