@@ -136,15 +136,8 @@ void CurvePath::flatten(double tolerance, std::vector<Vec2>& polyline) const {
   }
 }
 
-Box empty_box() { return {{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}}; }
-
-void extend(Box& box, Vec2 p) {
-  box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y)};
-  box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y)};
-}
-
 double flattening_tolerance(const Box& box) {
-  const double size = std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y);
+  const double size = longer_side(box);
   return size > 0 && std::isfinite(size) ? flattening * size : 0;
 }
 

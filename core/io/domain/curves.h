@@ -54,9 +54,6 @@ class CurvePath {
       points_;  // start; then per piece: end | two controls, end | centre, axis, (sweep, 0), end
 };
 
-/// A box that contains nothing.
-Box empty_box();
-void extend(Box& box, Vec2 p);
 /// The tolerance for curves that fill this box.
 double flattening_tolerance(const Box& box);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/words.h"
+#include "geometry/box.h"
 #include "geometry/segment.h"
 #include "io/number.h"
 
@@ -123,13 +124,7 @@ Index Drawing::add_source(std::string_view name, std::int64_t line, std::int64_t
 }
 
 double drawing_size(const LineWork& lines) {
-  if (lines.points.empty()) return 0;
-  Vec2 lo = lines.points[0], hi = lo;
-  for (const Vec2 p : lines.points) {
-    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
-    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
-  }
-  return std::max(hi.x - lo.x, hi.y - lo.y);
+  return lines.points.empty() ? 0 : longer_side(box_of(lines.points));
 }
 
 Error too_many_corners() {

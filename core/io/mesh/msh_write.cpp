@@ -2,6 +2,7 @@
 #include <array>
 
 #include "base/check.h"
+#include "geometry/box.h"
 #include "io/escape.h"
 #include "io/mesh/msh.h"
 #include "io/mesh/msh_model.h"
@@ -117,18 +118,9 @@ class MshWriter {
 
   // --- version 4.1: nodes and elements come in blocks, one per entity
 
-  struct Box {
-    Vec3 lo, hi;
-    bool empty = true;
-    void add(Vec3 p) {
-      if (empty) lo = hi = p;
-      empty = false;
-      lo = {p.x < lo.x ? p.x : lo.x, p.y < lo.y ? p.y : lo.y, p.z < lo.z ? p.z : lo.z};
-      hi = {p.x > hi.x ? p.x : hi.x, p.y > hi.y ? p.y : hi.y, p.z > hi.z ? p.z : hi.z};
-    }
-  };
-  void bounding_box(const Box& box) {
-    for (const Vec3 p : {box.lo, box.hi}) {
+  void bounding_box(const Box3& box) {
+    const Box3 shown = is_empty(box) ? Box3{{}, {}} : box;
+    for (const Vec3 p : {shown.lo, shown.hi}) {
       text(" ");
       append_numbers(out_, {p.x, p.y, p.z});
     }
@@ -151,10 +143,10 @@ class MshWriter {
     Csr<std::int64_t> bounding = surface_boundaries(surfaces);
     for (std::size_t s = 0; s < surfaces; ++s) {
       integer(s + 1);
-      Box box;
+      Box3 box;
       for (const Index f : model_.faces_of_region.row(static_cast<Index>(s))) {
         const Face& face = mesh_.faces[static_cast<std::size_t>(f)];
-        for (int k = 0; k < corner_count(face); ++k) box.add(point(face[k]));
+        for (int k = 0; k < corner_count(face); ++k) extend(box, point(face[k]));
       }
       bounding_box(box);
       text(" 1 ");
@@ -172,10 +164,10 @@ class MshWriter {
   }
 
   void curve_entity(std::size_t c) {
-    Box box;
+    Box3 box;
     for (const Index e : model_.curves[c].edges) {
-      box.add(point(mesh_.edges[static_cast<std::size_t>(e)].a));
-      box.add(point(mesh_.edges[static_cast<std::size_t>(e)].b));
+      extend(box, point(mesh_.edges[static_cast<std::size_t>(e)].a));
+      extend(box, point(mesh_.edges[static_cast<std::size_t>(e)].b));
     }
     integer(c + 1);
     bounding_box(box);
