@@ -171,13 +171,6 @@ SizeFidelity size_fidelity(const QuadMesh& mesh, const Fields& fields) {
   return size_fidelity(std::move(ratios));
 }
 
-SizeFidelity size_fidelity(std::vector<double> ratios) {
-  if (ratios.empty()) return {};
-  std::sort(ratios.begin(), ratios.end());
-  return {percentile(ratios, 0.1), percentile(ratios, 0.5), percentile(ratios, 0.9), ratios.front(),
-          ratios.back()};
-}
-
 std::uint64_t output_hash(const OutputMesh& mesh) {
   Fnv1a hash;
   hash.add(std::span<const Vec2>(mesh.points));
