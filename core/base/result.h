@@ -58,6 +58,16 @@ struct Where {
   bool has_point = false;
   double x = 0, y = 0;                    // coordinates in the caller's units
   std::int64_t line = none, byte = none;  // of a file, 1-based line, 0-based byte
+
+  void set_point(double to_x, double to_y) {
+    has_point = true;
+    x = to_x;
+    y = to_y;
+  }
+  void set_line(std::int64_t to_line, std::int64_t to_byte) {
+    line = to_line;
+    byte = to_byte;
+  }
 };
 
 struct Error {

@@ -49,6 +49,11 @@ struct Refiller::Trial {
   std::vector<Index> loop;    // loop_ and the pattern's interior in patch numbers
   std::size_t filled = 0;     // the first faces of the patch are the pattern's
   Shape shape;
+
+  /// The patch's number of a vertex of the whole mesh.
+  Index local(Index v) const {
+    return static_cast<Index>(std::find(vertex.begin(), vertex.end(), v) - vertex.begin());
+  }
 };
 
 Refiller::Refiller(QuadTopology& mesh, const IdealValence& ideal, const Fields& fields,
@@ -149,10 +154,8 @@ void Refiller::collect_ring(std::span<const Index> faces) {
   old_worst_ = shape.worst;
 }
 
-Refiller::Trial Refiller::build(const Plan& plan) const {
-  Trial trial;
-  trial.shape.flat_eta = options_.flat_eta;
-  const Index length = static_cast<Index>(loop_.size());
+// Those of the loop, and those of the ring, which stay where they are.
+void Refiller::take_vertices(Trial& trial) const {
   std::vector<Index> pinned, free;
   for (const Index v : loop_) (mesh_.is_fixed(v) ? pinned : free).push_back(v);
   for (const Index f : ring_)
@@ -162,33 +165,37 @@ Refiller::Trial Refiller::build(const Plan& plan) const {
     }
   trial.vertex = pinned;
   trial.vertex.insert(trial.vertex.end(), free.begin(), free.end());
-  const auto local = [&](Index v) {
-    const auto at = std::find(trial.vertex.begin(), trial.vertex.end(), v);
-    return static_cast<Index>(at - trial.vertex.begin());
-  };
-  Vec2 centre;
+  trial.patch.fixed = static_cast<Index>(pinned.size());
   for (const Index v : trial.vertex) trial.patch.points.push_back(mesh_.point(v));
-  for (const Index v : loop_) {
-    trial.loop.push_back(local(v));
-    centre += (1.0 / length) * mesh_.point(v);
-  }
-  std::vector<Face> ring;
-  for (const Index f : ring_) {
-    Face face = mesh_.face(f);
-    for (int k = 0; k < corner_count(mesh_.face(f)); ++k) face[k] = local(face[k]);
-    ring.push_back(face);
-  }
-  for (Index i = 0; i < plan.pattern->interior; ++i) {
+  for (const Index v : loop_) trial.loop.push_back(trial.local(v));
+}
+
+// The pattern's quads, its new vertices all in the middle of the loop.
+void Refiller::fill_hole(const DiskPattern& pattern, Trial& trial) const {
+  const Index length = static_cast<Index>(loop_.size());
+  Vec2 centre;
+  for (const Index v : loop_) centre += (1.0 / length) * mesh_.point(v);
+  for (Index i = 0; i < pattern.interior; ++i) {
     trial.loop.push_back(static_cast<Index>(trial.vertex.size()));
     trial.vertex.push_back(none);
     trial.patch.points.push_back(centre);
   }
-  for (const auto& quad : plan.pattern->quads)
+  for (const auto& quad : pattern.quads)
     trial.patch.faces.push_back(
         {trial.loop[quad[0]], trial.loop[quad[1]], trial.loop[quad[2]], trial.loop[quad[3]]});
   trial.filled = trial.patch.faces.size();
-  trial.patch.faces.insert(trial.patch.faces.end(), ring.begin(), ring.end());
-  trial.patch.fixed = static_cast<Index>(pinned.size());
+}
+
+Refiller::Trial Refiller::build(const Plan& plan) const {
+  Trial trial;
+  trial.shape.flat_eta = options_.flat_eta;
+  take_vertices(trial);
+  fill_hole(*plan.pattern, trial);
+  for (const Index f : ring_) {
+    Face face = mesh_.face(f);
+    for (int k = 0; k < corner_count(mesh_.face(f)); ++k) face[k] = trial.local(face[k]);
+    trial.patch.faces.push_back(face);
+  }
   return trial;
 }
 

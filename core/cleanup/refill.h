@@ -63,6 +63,8 @@ class Refiller {
   void weigh_loop(std::span<const Index> faces);
   void choose_plans(std::vector<Plan>& plans);
   void collect_ring(std::span<const Index> faces);
+  void take_vertices(Trial& trial) const;
+  void fill_hole(const DiskPattern& pattern, Trial& trial) const;
   Trial build(const Plan& plan) const;
   void relax(Trial& trial) const;
   bool better(const Trial& trial, const Plan& plan) const;

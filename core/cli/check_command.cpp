@@ -54,9 +54,7 @@ std::string violation_text(const Violation& violation) {
   std::string text = "  " + violation.what;
   if (violation.face != none || violation.vertex != none) {
     text += " (at ";
-    append_number(text, violation.point.x);
-    text += ' ';
-    append_number(text, violation.point.y);
+    append_numbers(text, {violation.point.x, violation.point.y});
     text += ')';
   }
   return text + "\n";

@@ -10,12 +10,12 @@
 #include "cli/commands.h"
 #include "cli/help.h"
 #include "io/error_text.h"
+#include "io/plain_text.h"
 
 namespace lpq {
 namespace {
 
-bool is_letter(char c) { return ('A' <= c && c <= 'Z') || ('a' <= c && c <= 'z'); }
-bool is_part_of_name(char c) { return is_letter(c) || ('0' <= c && c <= '9') || c == '-'; }
+bool is_part_of_name(char c) { return is_letter(c) || is_digit(c) || c == '-'; }
 
 /// Is this place between quotes, as what a caller typed is? Apostrophes inside words are none.
 bool is_quoted(std::string_view text, std::size_t at) {

@@ -49,9 +49,7 @@ class Matcher {
  private:
   static Error missing(const char* message, Vec2 at) {
     Error error{ErrorCode::no_valid_mesh, message, {}};
-    error.where.has_point = true;
-    error.where.x = at.x;
-    error.where.y = at.y;
+    error.where.set_point(at.x, at.y);
     return error;
   }
 

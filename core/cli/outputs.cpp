@@ -55,38 +55,41 @@ std::string first_overwritten(const std::vector<RunFiles>& runs) {
   return {};
 }
 
+/// Of one input; `files` are patterns, that of the output with a name.
+Result<RunFiles> files_for(const std::string& input, const MeshFiles& files) {
+  const std::string stem = file_stem(input);
+  RunFiles run{input,
+               expand(files.output, stem),
+               expand(files.report, stem),
+               expand(files.stages, stem),
+               expand(files.svg, stem),
+               expand(files.uv, stem)};
+  if (!run.uv.empty() && mesh_format(run.uv) != MeshFormat::obj)
+    return usage("'" + run.uv + "' must end in .obj: --uv writes texture coordinates.");
+  if (run.output.empty()) return run;
+  const auto format = mesh_format(run.output);
+  if (!format) return usage("'" + run.output + "' must end in " + mesh_endings() + ".");
+  run.format = *format;
+  return run;
+}
+
 }  // namespace
 
 Result<std::vector<RunFiles>> plan_files(const MeshArgs& args) {
-  const MeshFiles& files = args.files;
+  MeshFiles files = args.files;
   if (args.inputs.empty())
     return usage("No input. Give a domain: lpquad mesh DOMAIN.json -o MESH.");
   if (files.output.empty() && files.report.empty() && files.stages.empty() && files.svg.empty() &&
       files.uv.empty()) {
     return usage("Nothing to write. Give -o MESH, --svg, --uv, --report or --stages.");
   }
-  const std::string output = is_folder(files.output)
-                                 ? (std::filesystem::path(files.output) / "{}.obj").string()
-                                 : files.output;
+  if (is_folder(files.output))
+    files.output = (std::filesystem::path(files.output) / "{}.obj").string();
   std::vector<RunFiles> runs;
   for (const std::string& input : args.inputs) {
-    const std::string stem = file_stem(input);
-    RunFiles run{input,
-                 expand(output, stem),
-                 expand(files.report, stem),
-                 expand(files.stages, stem),
-                 expand(files.svg, stem),
-                 expand(files.uv, stem)};
-    if (!run.uv.empty() && mesh_format(run.uv) != MeshFormat::obj)
-      return usage("'" + run.uv + "' must end in .obj: --uv writes texture coordinates.");
-    if (!run.output.empty()) {
-      const auto format = mesh_format(run.output);
-      if (!format) {
-        return usage("'" + run.output + "' must end in " + mesh_endings() + ".");
-      }
-      run.format = *format;
-    }
-    runs.push_back(std::move(run));
+    auto run = files_for(input, files);
+    if (!run) return run.error();
+    runs.push_back(*std::move(run));
   }
   const std::string repeated = first_repeated(runs);
   if (!repeated.empty()) {

@@ -2,7 +2,7 @@
 #include "cli/surface_input.h"
 
 #include "cli/files.h"
-#include "io/surface/surface_text.h"
+#include "io/plain_text.h"
 
 #ifdef __EMSCRIPTEN__
 #include <emscripten.h>
@@ -50,10 +50,8 @@ Result<std::string> cad_triangles(const std::string& name, double) {
 }  // namespace
 
 bool is_cad_file(std::string_view name) {
-  const std::size_t dot = name.rfind('.');
-  if (dot == std::string_view::npos) return false;
   for (const char* ending : {"step", "stp", "iges", "igs", "brep", "brp"})
-    if (same_letters(name.substr(dot + 1), ending)) return true;
+    if (same_letters(ending_of(name), ending)) return true;
   return false;
 }
 

@@ -36,9 +36,7 @@ std::optional<Error> find_unused(const TriMesh& mesh) {
     error.message = v < mesh.fixed ? "Boundary point " + std::to_string(v)
                                    : "Interior point " + std::to_string(v - mesh.fixed);
     error.message += " lies outside the domain.";
-    error.where.has_point = true;
-    error.where.x = mesh.points[v].x;
-    error.where.y = mesh.points[v].y;
+    error.where.set_point(mesh.points[v].x, mesh.points[v].y);
     return error;
   }
   return std::nullopt;

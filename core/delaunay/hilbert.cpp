@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "delaunay/delaunay.h"
+#include "geometry/box.h"
 
 namespace lpq {
 namespace {
@@ -38,12 +39,9 @@ void radix_sort(std::vector<Keyed>& items) {
 // Orders the indices in `order` along the curve of their own bounding box.
 void sort_along_curve(std::span<const Vec2> points, std::span<Index> order) {
   if (order.size() < 2) return;
-  Vec2 lo = points[order[0]], hi = lo;
-  for (const Index i : order) {
-    lo = {std::min(lo.x, points[i].x), std::min(lo.y, points[i].y)};
-    hi = {std::max(hi.x, points[i].x), std::max(hi.y, points[i].y)};
-  }
-  const double extent = std::max(hi.x - lo.x, hi.y - lo.y);
+  Box box = empty_box();
+  for (const Index i : order) extend(box, points[i]);
+  const double extent = longer_side(box);
   if (!(extent > 0)) return;
   constexpr double last = (1 << hilbert_bits) - 1;
   const double scale = last / extent;
@@ -52,7 +50,7 @@ void sort_along_curve(std::span<const Vec2> points, std::span<Index> order) {
   };
   std::vector<Keyed> keyed(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
-    const Vec2 p = points[order[k]] - lo;
+    const Vec2 p = points[order[k]] - box.lo;
     keyed[k] =
         Keyed{hilbert_position(cell(p.x), cell(p.y))} << 32 | static_cast<std::uint32_t>(order[k]);
   }

@@ -214,7 +214,7 @@ class SegmentInserter {
       error.message = "Interior point " + std::to_string(number - fixed_) +
                       " lies on a boundary edge, not strictly inside the domain.";
     }
-    set_point(error, plane_.points[v]);
+    error.where.set_point(plane_.points[v].x, plane_.points[v].y);
     return error;
   }
 
@@ -226,18 +226,13 @@ class SegmentInserter {
     error.code = ErrorCode::self_intersection;
     error.message = "The boundary edges " + name(a, b) + " and " +
                     name(plane_.origin(e), plane_.target(e)) + " cross.";
-    set_point(error, r + (at_r + at_s > 0 ? at_r / (at_r + at_s) : 0.5) * (s - r));
+    const Vec2 place = r + (at_r + at_s > 0 ? at_r / (at_r + at_s) : 0.5) * (s - r);
+    error.where.set_point(place.x, place.y);
     return error;
   }
 
   std::string name(Index a, Index b) const {
     return std::to_string(plane_.given[a]) + "-" + std::to_string(plane_.given[b]);
-  }
-
-  static void set_point(Error& error, Vec2 p) {
-    error.where.has_point = true;
-    error.where.x = p.x;
-    error.where.y = p.y;
   }
 
   WholePlane& plane_;

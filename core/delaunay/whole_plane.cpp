@@ -169,9 +169,7 @@ Error duplicate(const WholePlane& plane, Index v, Index w) {
   const Index second = plane.given[v] < plane.given[w] ? plane.given[w] : plane.given[v];
   error.message = "Points " + std::to_string(first) + " and " + std::to_string(second) +
                   " are equal: remove one of them.";
-  error.where.has_point = true;
-  error.where.x = plane.points[v].x;
-  error.where.y = plane.points[v].y;
+  error.where.set_point(plane.points[v].x, plane.points[v].y);
   return error;
 }
 

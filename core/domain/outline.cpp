@@ -319,9 +319,7 @@ Where where_edges(const Outline& outline, Index edge, Index other) {
 }
 
 Where at_point(Where where, Vec2 point) {
-  where.has_point = true;
-  where.x = point.x;
-  where.y = point.y;
+  where.set_point(point.x, point.y);
   return where;
 }
 

@@ -44,6 +44,8 @@ class SideSettler {
   Problem settle_fan(Index vertex);
   void give_polyline(Index segment, Index region);
   Problem settle_components();
+  std::vector<char> vertices_on_loops() const;
+  DisjointSets joined_polylines(const std::vector<char>& on_loop) const;
   Problem settle_polylines();
   Problem settle_points();
   Index region_at(Index vertex, Problem& problem);
@@ -191,15 +193,18 @@ Problem SideSettler::settle_components() {
   return {};
 }
 
-// Polylines that are joined to each other, but not through a vertex of a loop, share a region.
-Problem SideSettler::settle_polylines() {
-  const Index n = static_cast<Index>(domain_.points.size());
-  std::vector<char> on_loop(n, 0);
+std::vector<char> SideSettler::vertices_on_loops() const {
+  std::vector<char> on_loop(domain_.points.size(), 0);
   for (const Segment& s : domain_.segments)
     if (!is_polyline(s)) on_loop[s.a] = on_loop[s.b] = 1;
+  return on_loop;
+}
+
+// Segments of polylines that are joined to each other, but not through a vertex of a loop.
+DisjointSets SideSettler::joined_polylines(const std::vector<char>& on_loop) const {
   const Index count = static_cast<Index>(domain_.segments.size());
   DisjointSets joined(count);
-  std::vector<Index> at_vertex(n, none);
+  std::vector<Index> at_vertex(domain_.points.size(), none);
   for (Index i = 0; i < count; ++i) {
     const Segment& s = domain_.segments[i];
     if (!is_polyline(s)) continue;
@@ -209,6 +214,15 @@ Problem SideSettler::settle_polylines() {
       joined.unite(i, at_vertex[v]);
     }
   }
+  return joined;
+}
+
+// Joined polylines share a region: that of the sector where they meet a loop, else what lies around
+// them.
+Problem SideSettler::settle_polylines() {
+  const std::vector<char> on_loop = vertices_on_loops();
+  DisjointSets joined = joined_polylines(on_loop);
+  const Index count = static_cast<Index>(domain_.segments.size());
   std::vector<Index> region(count, unknown);
   for (Index i = 0; i < count; ++i) {
     const Segment& s = domain_.segments[i];

@@ -149,11 +149,7 @@ bool Simplification::sweeps_over_a_point(const Chord& chord, const BoxTree& poin
                                          const std::vector<Index>& names) const {
   std::vector<Vec2> swept;
   for (Index k = chord.first; k <= chord.last; ++k) swept.push_back(at(chord, k));
-  Box box{swept[0], swept[0]};
-  for (const Vec2 p : swept) {
-    box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y)};
-    box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y)};
-  }
+  const Box box = box_of(swept);
   bool found = false;
   points.walk([&](Index, const Box& other) { return !found && overlap(box, other); },
               [&](Index i) {

@@ -38,9 +38,7 @@ bool good_size(double h) { return std::isfinite(h) && h > 0; }
 
 Error error_at(ErrorCode code, std::string message, Vec2 at) {
   Error error{code, std::move(message), {}};
-  error.where.has_point = true;
-  error.where.x = at.x;
-  error.where.y = at.y;
+  error.where.set_point(at.x, at.y);
   return error;
 }
 Error bad_size(std::string message) { return {ErrorCode::bad_size, std::move(message), {}}; }
@@ -200,6 +198,26 @@ double quads_of(const TriMesh& mesh, std::span<const double> h) {
   return quads;
 }
 
+// Refined inside as the sizes on the coarse background ask; `interior_h` are those of new vertices.
+Result<TriMesh> fine_background(BackgroundBuilder& builder, const TriMesh& coarse,
+                                std::span<const double> coarse_h, const FieldOptions& options,
+                                std::vector<double>& interior_h) {
+  const auto size_at = [&](Index t, const double(&weights)[3], Vec2 point) {
+    const double h = interpolate(coarse, coarse_h, t, weights);
+    if (!options.size_function) return h;
+    const double asked = options.size_function(point);
+    return good_size(asked) ? std::min(h, asked) : h;
+  };
+  const std::vector<double> depth = distance_to_walls(coarse);
+  const auto largest_leaf = [&](Index t, const double(&weights)[3], Vec2 point) {
+    const double h = size_at(t, weights, point);
+    const double far = interpolate(coarse, depth, t, weights) / (coarsening_depth * h);
+    return options.coarseness * h * std::sqrt(std::max(far, 1.0));
+  };
+  const double most_leaves = leaves_beside_quads + leaves_per_quad * options.max_quads;
+  return builder.fine(coarse, largest_leaf, size_at, most_leaves, interior_h);
+}
+
 }  // namespace
 
 Result<double> estimate_quads(const BoundaryMesh& boundary, const FieldOptions& options) {
@@ -219,23 +237,10 @@ Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& opt
   if (const double quads = quads_of(*coarse, coarse_h); quads > options.max_quads)
     return too_many_elements(quads, options.max_quads);
 
-  const auto size_at = [&](Index t, const double(&weights)[3], Vec2 point) {
-    const double h = interpolate(*coarse, coarse_h, t, weights);
-    if (!options.size_function) return h;
-    const double asked = options.size_function(point);
-    return good_size(asked) ? std::min(h, asked) : h;
-  };
-  const std::vector<double> depth = distance_to_walls(*coarse);
-  const auto largest_leaf = [&](Index t, const double(&weights)[3], Vec2 point) {
-    const double h = size_at(t, weights, point);
-    const double far = interpolate(*coarse, depth, t, weights) / (coarsening_depth * h);
-    return options.coarseness * h * std::sqrt(std::max(far, 1.0));
-  };
   const std::vector<Chord> guides = chords_of(options.guides, *coarse, coarse_h);
   builder.refine(sources_along(guides));
   std::vector<double> interior_h;
-  const double most_leaves = leaves_beside_quads + leaves_per_quad * options.max_quads;
-  Result<TriMesh> fine = builder.fine(*coarse, largest_leaf, size_at, most_leaves, interior_h);
+  Result<TriMesh> fine = fine_background(builder, *coarse, coarse_h, options, interior_h);
   if (!fine) return fine.error();
 
   Fields fields;

@@ -8,10 +8,7 @@ Box box_of(Vec2 a, Vec2 b) {
 
 Box box_of(std::span<const Vec2> points) {
   Box box{points.front(), points.front()};
-  for (const Vec2 p : points) {
-    box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y)};
-    box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y)};
-  }
+  for (const Vec2 p : points) extend(box, p);
   return box;
 }
 

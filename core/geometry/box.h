@@ -2,9 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <span>
 
 #include "geometry/vec.h"
+#include "geometry/vec3.h"
 
 namespace lpq {
 
@@ -17,6 +19,17 @@ Box box_of(Vec2 a, Vec2 b);
 /// Of at least one point.
 Box box_of(std::span<const Vec2> points);
 
+/// A box that contains nothing, to be extended.
+inline Box empty_box() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {{infinity, infinity}, {-infinity, -infinity}};
+}
+
+inline void extend(Box& box, Vec2 p) {
+  box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y)};
+  box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y)};
+}
+
 inline bool overlap(const Box& a, const Box& b) {
   return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y;
 }
@@ -26,5 +39,20 @@ inline double longer_side(const Box& box) {
 }
 
 double squared_distance(const Box& a, const Box& b);
+
+/// In space; at first it contains nothing.
+struct Box3 {
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vec3 lo{infinity, infinity, infinity}, hi{-infinity, -infinity, -infinity};
+};
+
+inline void extend(Box3& box, Vec3 p) {
+  box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y), std::min(box.lo.z, p.z)};
+  box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y), std::max(box.hi.z, p.z)};
+}
+
+inline bool is_empty(const Box3& box) { return box.lo.x > box.hi.x; }
+
+inline double diagonal(const Box3& box) { return length(box.hi - box.lo); }
 
 }  // namespace lpq

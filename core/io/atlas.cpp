@@ -11,10 +11,8 @@ namespace {
 
 void append_point(std::string& out, const char* keyword, std::initializer_list<double> numbers) {
   out += keyword;
-  for (const double number : numbers) {
-    out += ' ';
-    append_number(out, number);
-  }
+  out += ' ';
+  append_numbers(out, numbers);
   out += '\n';
 }
 

@@ -30,8 +30,7 @@ void append_kind(JsonWriter& json, const T& value, const FieldInfo& info) {
 
 template <class Table>
 void append_table(JsonWriter& json, std::string_view table, const Table& defaults) {
-  json.key(table);
-  json.begin_array();
+  json.begin_array(table);
   each_field(defaults, [&](const char* name, const auto& value, const FieldInfo& info) {
     json.begin_object();
     json.member("name", name);
@@ -44,8 +43,7 @@ void append_table(JsonWriter& json, std::string_view table, const Table& default
 }
 
 void append_codes(JsonWriter& json) {
-  json.key("errorCodes");
-  json.begin_array();
+  json.begin_array("errorCodes");
   for (int code = 0; code <= static_cast<int>(ErrorCode::io_error); ++code)
     json.value(code_name(static_cast<ErrorCode>(code)));
   json.end_array();
@@ -53,16 +51,14 @@ void append_codes(JsonWriter& json) {
 
 template <class Formats>
 void append_names(JsonWriter& json, std::string_view key, const Formats& formats) {
-  json.key(key);
-  json.begin_array();
+  json.begin_array(key);
   for (const auto& info : formats) json.value(info.name);
   json.end_array();
 }
 
 /// The formats that hold meshes on surfaces.
 void append_shell_formats(JsonWriter& json) {
-  json.key("surfaceMeshFormats");
-  json.begin_array();
+  json.begin_array("surfaceMeshFormats");
   for (const MeshFormatInfo& info : mesh_formats)
     if (info.in_space) json.value(info.name);
   json.end_array();

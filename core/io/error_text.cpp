@@ -33,9 +33,7 @@ std::string place_text(const Where& where) {
   });
   if (where.has_point) {
     text += text.empty() ? "at " : ", at ";
-    append_number(text, where.x);
-    text += ' ';
-    append_number(text, where.y);
+    append_numbers(text, {where.x, where.y});
   }
   return text;
 }
@@ -55,8 +53,7 @@ void append_error(JsonWriter& json, const Error& error) {
   json.begin_object();
   json.member("code", code_name(error.code));
   json.member("message", error.message);
-  json.key("where");
-  json.begin_object();
+  json.begin_object("where");
   each_place(error.where, [&](const char* name, std::int64_t value) { json.member(name, value); });
   if (error.where.has_point) {
     json.member("x", error.where.x);

@@ -4,8 +4,10 @@
 #include <algorithm>
 
 #include "io/domain/domain_format.h"
+#include "io/mesh_text.h"
+#include "io/number.h"
+#include "io/plain_text.h"
 #include "io/surface/surface_format.h"
-#include "io/surface/surface_text.h"
 
 namespace lpq {
 namespace {
@@ -197,8 +199,7 @@ std::string name_in_words(std::string_view format) {
 }
 
 std::string_view without_blanks(std::string_view bytes) {
-  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
-  return bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
+  return past_blanks(bytes.substr(byte_order_mark_size(bytes)));
 }
 
 Problem empty_file(std::string_view bytes) {
@@ -228,10 +229,8 @@ bool is_list_of_points(std::string_view text) {
 }  // namespace
 
 std::optional<FileKind> kind_by_ending(std::string_view file_name) {
-  const std::size_t dot = file_name.rfind('.');
-  if (dot == std::string_view::npos) return std::nullopt;
   for (const Ending& one : foreign_endings)
-    if (is_among(file_name.substr(dot + 1), one.endings)) return FileKind{one.what, one.advice};
+    if (is_among(ending_of(file_name), one.endings)) return FileKind{one.what, one.advice};
   return std::nullopt;
 }
 

@@ -52,8 +52,7 @@ class Writer {
   explicit Writer(const Trace& trace) : trace_(trace), json_(text_) {
     json_.begin_object();
     json_.member("boundaryNodes", trace.start.fixed);
-    json_.key("iterates");
-    json_.begin_array();
+    json_.begin_array("iterates");
   }
 
   void add(const Iterate& iterate) {

@@ -33,9 +33,9 @@ std::string without_bare_literals(std::string_view text) {
 JsonText::JsonText(std::string_view text)
     : text_(text), json_(without_bare_literals(text)), reached_(json_.data()) {}
 
-bool JsonText::parse(Sax& sax) {
+bool JsonText::parse(JsonReader& reader) {
   return nlohmann::json::sax_parse(Cursor{json_.data(), &reached_},
-                                   Cursor{json_.data() + json_.size(), &reached_}, &sax);
+                                   Cursor{json_.data() + json_.size(), &reached_}, &reader);
 }
 
 bool JsonText::is_bare_literal() const {

@@ -15,22 +15,28 @@ inline constexpr std::size_t json_max_text = std::size_t{1} << 30;  // bytes
 inline constexpr std::size_t json_max_depth = 64;                   // a domain needs 7, GeoJSON 10
 inline constexpr int json_number_overflow = 406;  // nlohmann's identifier of the message
 
-/// What json_sax::number_integer is told. Only integers with a minus sign come there (the others
-/// come to number_unsigned), so that zero was written -0, and keeps its sign.
-inline double signed_integer_to_double(std::int64_t value) {
-  return value == 0 ? -0.0 : static_cast<double>(value);
-}
+/// A reader that is pushed, to which all numbers are doubles.
+class JsonReader : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  /// Only integers with a minus sign come here, so that zero was written -0, and keeps its sign.
+  bool number_integer(number_integer_t value) final {
+    return number(value == 0 ? -0.0 : static_cast<double>(value));
+  }
+  bool number_unsigned(number_unsigned_t value) final { return number(static_cast<double>(value)); }
+  bool number_float(number_float_t value, const string_t&) final { return number(value); }
+
+ protected:
+  virtual bool number(double value) = 0;
+};
 
 class JsonText {
  public:
-  using Sax = nlohmann::json_sax<nlohmann::json>;
-
   /// The text must stay where it is.
   explicit JsonText(std::string_view text);
   JsonText(const JsonText&) = delete;
   JsonText& operator=(const JsonText&) = delete;
 
-  bool parse(Sax& sax);
+  bool parse(JsonReader& reader);
   bool is_blank() const { return json_.find_first_not_of(" \t\r\n") == std::string::npos; }
   /// The reading has come to the last byte.
   bool at_end() const { return reached_ == json_.data() + json_.size(); }

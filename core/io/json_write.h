@@ -20,6 +20,15 @@ class JsonWriter {
   void end_object() { close('}'); }
   void begin_array() { open('['); }
   void end_array() { close(']'); }
+  /// As a member: ends with end_object() and end_array() too.
+  void begin_object(std::string_view name) {
+    key(name);
+    begin_object();
+  }
+  void begin_array(std::string_view name) {
+    key(name);
+    begin_array();
+  }
 
   /// A member's name; its value comes next.
   void key(std::string_view name) {
@@ -75,8 +84,7 @@ class JsonWriter {
   }
   template <class Range>
   void array(std::string_view name, const Range& values) {
-    key(name);
-    begin_array();
+    begin_array(name);
     for (const auto& v : values) value(v);
     end_array();
   }

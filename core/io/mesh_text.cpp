@@ -5,14 +5,14 @@
 #include <cstddef>
 
 #include "io/number.h"
+#include "io/plain_text.h"
 #include "mesh/quality.h"
 #include "shell/quality.h"
 
 namespace lpq {
 
 LineReader::LineReader(std::string_view text) : text_(text) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text_.substr(0, 3) == byte_order_mark) next_ = start_ = 3;
+  next_ = start_ = byte_order_mark_size(text_);
   // Where no line ends with LF, as in files of old Macs, they end with CR.
   if (text_.find('\n') == std::string_view::npos) line_end_ = '\r';
 }
@@ -36,8 +36,7 @@ std::string_view LineReader::next_bytes(std::size_t count) {
 
 Error LineReader::error(std::string message) const {
   Error error{ErrorCode::parse_error, std::move(message), {}};
-  error.where.line = line_;
-  error.where.byte = static_cast<std::int64_t>(start_);
+  error.where.set_line(line_, static_cast<std::int64_t>(start_));
   return error;
 }
 

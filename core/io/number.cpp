@@ -9,10 +9,10 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "io/plain_text.h"
+
 namespace lpq {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Exact short decimals: value = n / 10^k with |n| < 2^53 and k <= 6. Both n and 10^k are exact
 /// doubles, so the correctly rounded quotient n / 10^k is what every reader makes of the digits.
@@ -105,6 +105,13 @@ void append_integer(std::string& out, std::int64_t value) {
   char digits[24];
   const auto end = std::to_chars(digits, digits + sizeof digits, value);
   out.append(digits, end.ptr);
+}
+
+void append_numbers(std::string& out, std::initializer_list<double> values) {
+  for (const double* value = values.begin(); value != values.end(); ++value) {
+    if (value != values.begin()) out += ' ';
+    append_number(out, *value);
+  }
 }
 
 void append_fixed(std::string& out, double value, int decimals) {

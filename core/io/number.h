@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,8 @@ namespace lpq {
 /// decimal fraction (0.1), else as printf's %.17g. NaN and infinities as nan, inf, -inf.
 void append_number(std::string& out, double value);
 void append_integer(std::string& out, std::int64_t value);
+/// Numbers as append_number writes them, a blank between any two: coordinates.
+void append_numbers(std::string& out, std::initializer_list<double> values);
 
 /// Appends `value` rounded to `decimals` (0 .. 6) places, for pictures; |value| < 1e9.
 void append_fixed(std::string& out, double value, int decimals);

@@ -18,8 +18,7 @@ const char* status_name(LpStatus status) {
 }
 
 void append_rounds(JsonWriter& json, const std::vector<RestartRound>& rounds) {
-  json.key("rounds");
-  json.begin_array();
+  json.begin_array("rounds");
   for (const RestartRound& round : rounds) {
     json.begin_object();
     json.member("inserted", round.inserted);
@@ -47,8 +46,7 @@ std::string rounds_text(const std::vector<RestartRound>& rounds) {
 }
 
 void append_lp(JsonWriter& json, const Report& report) {
-  json.key("lp");
-  json.begin_object();
+  json.begin_object("lp");
   const bool ran = !report.energy_history.empty();
   json.member("ran", ran);
   if (ran) {

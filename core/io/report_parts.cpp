@@ -15,8 +15,7 @@ std::string hash_text(std::uint64_t hash) {
 }
 
 void append_quality(JsonWriter& json, const QuadQuality& quality) {
-  json.key("quality");
-  json.begin_object();
+  json.begin_object("quality");
   json.member("etaMean", quality.eta_mean);
   json.member("etaMin", quality.eta_min);
   json.member("etaP5", quality.eta_p5);
@@ -30,8 +29,7 @@ void append_quality(JsonWriter& json, const QuadQuality& quality) {
 }
 
 void append_size(JsonWriter& json, const SizeFidelity& size) {
-  json.key("size");
-  json.begin_object();
+  json.begin_object("size");
   json.member("p10", size.p10);
   json.member("p50", size.p50);
   json.member("p90", size.p90);
@@ -41,16 +39,14 @@ void append_size(JsonWriter& json, const SizeFidelity& size) {
 }
 
 void append_times(JsonWriter& json, const std::vector<StageTime>& times) {
-  json.key("cpuSeconds");
-  json.begin_object();
+  json.begin_object("cpuSeconds");
   for (const StageTime& time : times) json.member(time.stage, time.cpu_seconds);
   json.end_object();
   json.new_line();
 }
 
 void append_warnings(JsonWriter& json, const std::vector<Warning>& warnings) {
-  json.key("warnings");
-  json.begin_array();
+  json.begin_array("warnings");
   for (const Warning& warning : warnings) append_error(json, warning);
   json.end_array();
 }

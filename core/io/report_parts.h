@@ -26,8 +26,7 @@ void append_times(JsonWriter& json, const std::vector<StageTime>& times);  // an
 void append_warnings(JsonWriter& json, const std::vector<Warning>& warnings);
 template <class Table>
 void append_options(JsonWriter& json, const Table& options) {
-  json.key("options");
-  json.begin_object();
+  json.begin_object("options");
   each_field(options, [&](const char* name, const auto& value, const FieldInfo&) {
     using T = std::remove_cvref_t<decltype(value)>;
     if constexpr (std::is_enum_v<T>) {

@@ -5,6 +5,7 @@
 #include "io/json_write.h"
 #include "io/mesh/obj.h"
 #include "io/picture/svg.h"
+#include "io/plain_text.h"
 
 namespace lpq {
 namespace {
@@ -25,8 +26,7 @@ OutputMesh to_world(const QuadMesh& mesh, const UnitFrame& frame) {
 
 void append_points(JsonWriter& json, std::string_view name, std::span<const Vec2> points,
                    const UnitFrame& frame) {
-  json.key(name);
-  json.begin_array();
+  json.begin_array(name);
   for (const Vec2 p : points) {
     const Vec2 world = frame.to_world(p);
     json.tuple(world.x, world.y);
@@ -41,8 +41,7 @@ std::string triangles_json(const TriMesh& mesh, const UnitFrame& frame) {
   JsonWriter json(out);
   json.begin_object();
   append_points(json, "points", mesh.points, frame);
-  json.key("triangles");
-  json.begin_array();
+  json.begin_array("triangles");
   for (const Tri& t : mesh.triangles) json.tuple(t[0], t[1], t[2]);
   json.end_array();
   json.new_line();
@@ -60,21 +59,18 @@ std::string crosses_json(const Fields& fields, const UnitFrame& frame) {
   JsonWriter json(out);
   json.begin_object();
   append_points(json, "points", fields.background.points, frame);
-  json.key("z");
-  json.begin_array();
+  json.begin_array("z");
   for (const Vec2 z : fields.z) json.tuple(z.x, z.y);
   json.end_array();
   json.new_line();
-  json.key("axis");
-  json.begin_array();
+  json.begin_array("axis");
   for (const Vec2 z : fields.z) {
     const Vec2 axis = axis_of(z);
     json.tuple(axis.x, axis.y);
   }
   json.end_array();
   json.new_line();
-  json.key("singularities");
-  json.begin_array();
+  json.begin_array("singularities");
   for (const Singularity& s : fields.singularities) {
     const Vec2 at = frame.to_world(s.position);
     json.begin_object();
@@ -94,8 +90,7 @@ std::string sizes_json(const Fields& fields, const UnitFrame& frame) {
   JsonWriter json(out);
   json.begin_object();
   append_points(json, "points", fields.background.points, frame);
-  json.key("h");
-  json.begin_array();
+  json.begin_array("h");
   for (const double h : fields.h) json.value(frame.length_to_world(h));
   json.end_array();
   json.end_object();
@@ -109,8 +104,7 @@ std::string cells_json(const Trace& trace) {
   JsonWriter json(out);
   json.begin_object();
   append_points(json, "sites", trace.triangles.points, trace.frame);
-  json.key("cells");
-  json.begin_array();
+  json.begin_array("cells");
   for (const auto& cell : cell_polygons(trace.triangles, trace.cells)) {
     json.begin_array();
     for (const std::vector<Vec2>& polygon : cell) {
@@ -142,13 +136,11 @@ std::string energy_json(const Trace& trace, const Report& report) {
   json.new_line();
   json.array("cellEnergy", trace.cell_energy);
   json.new_line();
-  json.key("cellArea");
-  json.begin_array();
+  json.begin_array("cellArea");
   for (const double area : trace.cell_area) json.value(area / scale / scale);
   json.end_array();
   json.new_line();
-  json.key("gradient");
-  json.begin_array();
+  json.begin_array("gradient");
   for (const Vec2 g : trace.gradient) json.tuple(g.x * scale, g.y * scale);
   json.end_array();
   json.end_object();
@@ -173,8 +165,7 @@ std::string quad_stage_name(std::size_t number, std::string_view name) {
   append_integer(text, static_cast<std::int64_t>(number));
   text += '-';
   for (const char c : name) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    text += plain ? c : '-';
+    text += is_letter(c) || is_digit(c) ? c : '-';
   }
   return text;
 }
@@ -187,26 +178,22 @@ std::string write_matching_json(std::span<const CostEdge> graph, const Matching&
   json.begin_object();
   json.member("n", matching.mate.size());
   json.member("cost", matching.cost);
-  json.key("edges");
-  json.begin_array();
+  json.begin_array("edges");
   for (const CostEdge& edge : graph) json.tuple(edge.u, edge.v, edge.cost);
   json.end_array();
   json.new_line();
-  json.key("matching");
-  json.begin_array();
+  json.begin_array("matching");
   for (std::size_t u = 0; u < matching.mate.size(); ++u) {
     const Index v = matching.mate[u];
     if (v > static_cast<Index>(u)) json.tuple(static_cast<Index>(u), v);
   }
   json.end_array();
   json.new_line();
-  json.key("y");
-  json.begin_array();
+  json.begin_array("y");
   for (const std::int64_t y : matching.duals.y) json.value(half_units_to_decimal(y));
   json.end_array();
   json.new_line();
-  json.key("blossoms");
-  json.begin_array();
+  json.begin_array("blossoms");
   for (const OddSet& set : blossom_sets(matching.duals)) {
     json.begin_object();
     json.array("nodes", set.nodes);

@@ -27,22 +27,19 @@ void append_counts(JsonWriter& json, const ShellOutcome& outcome) {
 
 void append_distance(JsonWriter& json, const SurfaceDistance& distance) {
   const auto one_way = [&](const char* name, const Distance& way) {
-    json.key(name);
-    json.begin_object();
+    json.begin_object(name);
     json.member("max", way.max);
     json.member("mean", way.mean);
     json.end_object();
   };
-  json.key("distance");
-  json.begin_object();
+  json.begin_object("distance");
   one_way("toSurface", distance.to_surface);
   one_way("fromSurface", distance.from_surface);
   json.end_object();
 }
 
 void append_bodies(JsonWriter& json, const std::vector<BodyReport>& bodies) {
-  json.key("bodies");
-  json.begin_array();
+  json.begin_array("bodies");
   for (const BodyReport& body : bodies) {
     json.begin_object();
     json.member("name", body.name);
@@ -57,8 +54,7 @@ void append_bodies(JsonWriter& json, const std::vector<BodyReport>& bodies) {
 }
 
 void append_repairs(JsonWriter& json, const RepairReport& repair) {
-  json.key("repairs");
-  json.begin_object();
+  json.begin_object("repairs");
   json.member("pointsGiven", repair.points_given);
   json.member("trianglesGiven", repair.triangles_given);
   json.member("weldedPoints", repair.welded_points);

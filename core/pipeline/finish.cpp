@@ -107,9 +107,7 @@ std::vector<Violation> check_output(const OutputMesh& mesh) {
 Error no_valid_mesh(const OutputMesh& mesh, const std::vector<Violation>& violations) {
   const Violation& first = violations.front();
   Error error;
-  error.where.has_point = true;
-  error.where.x = first.point.x;
-  error.where.y = first.point.y;
+  error.where.set_point(first.point.x, first.point.y);
   if (const double gap = gap_at(mesh, first.point); gap > 0) {
     error.code = ErrorCode::touching;
     error.message = "Two points of the boundary lie " + short_number(gap) +
@@ -135,9 +133,7 @@ std::vector<Warning> tell_triangles(const OutputMesh& mesh) {
         "The number of boundary edges is odd, so one triangle was left here, of eta " +
         short_number(face_eta(mesh.points, face)) + ".";
     warning.where.region = mesh.region[f];
-    warning.where.has_point = true;
-    warning.where.x = centre.x;
-    warning.where.y = centre.y;
+    warning.where.set_point(centre.x, centre.y);
     warnings.push_back(std::move(warning));
   }
   return warnings;
@@ -157,9 +153,7 @@ std::vector<Warning> tell_thin_quads(const OutputMesh& mesh) {
                       ". The first has an angle or an edge of the boundary beside it that is small "
                       "for the size. Mend it, or use a smaller size.",
                   {}};
-  warning.where.has_point = true;
-  warning.where.x = first.x;
-  warning.where.y = first.y;
+  warning.where.set_point(first.x, first.y);
   return {warning};
 }
 
@@ -175,13 +169,6 @@ SizeFidelity size_fidelity(const QuadMesh& mesh, const Fields& fields) {
     }
   }
   return size_fidelity(std::move(ratios));
-}
-
-SizeFidelity size_fidelity(std::vector<double> ratios) {
-  if (ratios.empty()) return {};
-  std::sort(ratios.begin(), ratios.end());
-  return {percentile(ratios, 0.1), percentile(ratios, 0.5), percentile(ratios, 0.9), ratios.front(),
-          ratios.back()};
 }
 
 std::uint64_t output_hash(const OutputMesh& mesh) {

@@ -26,9 +26,7 @@ Problem judge_sizes(const std::vector<UserFields::SizeAt>& sizes) {
                    {}};
     if (is_size(size.h)) continue;
     Error error{ErrorCode::bad_size, "A mesh size given at a point must be a positive number.", {}};
-    error.where.has_point = true;
-    error.where.x = size.position.x;
-    error.where.y = size.position.y;
+    error.where.set_point(size.position.x, size.position.y);
     return error;
   }
   return {};

@@ -10,6 +10,8 @@
 namespace lpq {
 namespace {
 
+// What is mapped in windows, by factors that cost n^1.5, is 30 times the surface's triangles
+// altogether. Four surfaces of 363,000 to 1.29 million had the stage 4 to 45 times as fast.
 constexpr Index least_triangles = 100'000;
 constexpr double least_for_a_quad = 40;
 // Sides of coarse triangles in mesh sizes, at most: about a dozen to a quad, as many as surfaces of

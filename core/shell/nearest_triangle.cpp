@@ -26,6 +26,12 @@ int longest_axis(Vec3 extent) {
   return extent.y >= extent.z ? 1 : 2;
 }
 
+double squared_distance(const Box3& box, Vec3 p) {
+  return squared_length({std::max({0.0, box.lo.x - p.x, p.x - box.hi.x}),
+                         std::max({0.0, box.lo.y - p.y, p.y - box.hi.y}),
+                         std::max({0.0, box.lo.z - p.z, p.z - box.hi.z})});
+}
+
 }  // namespace
 
 // Inside, where p's foot on the plane has three positive weights; else on one of the edges.
@@ -55,7 +61,7 @@ NearestTriangle::NearestTriangle(std::span<const Vec3> points, std::span<const T
 Index NearestTriangle::build(Index first, Index last) {
   Node node{box_of(first, last), first, last - first, none, none};
   if (node.count > leaf_size) {
-    const int axis = longest_axis(node.box.high - node.box.low);
+    const int axis = longest_axis(node.box.hi - node.box.lo);
     const Index middle = first + node.count / 2;
     // With a total order the halves are the same wherever this runs.
     std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
@@ -71,22 +77,11 @@ Index NearestTriangle::build(Index first, Index last) {
   return static_cast<Index>(nodes_.size()) - 1;
 }
 
-NearestTriangle::Box NearestTriangle::box_of(Index first, Index last) const {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Box box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+Box3 NearestTriangle::box_of(Index first, Index last) const {
+  Box3 box;
   for (Index i = first; i < last; ++i)
-    for (const Index v : triangles_[order_[i]]) {
-      const Vec3 p = points_[v];
-      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-    }
+    for (const Index v : triangles_[order_[i]]) extend(box, points_[v]);
   return box;
-}
-
-double NearestTriangle::squared_distance(const Box& box, Vec3 p) {
-  return squared_length({std::max({0.0, box.low.x - p.x, p.x - box.high.x}),
-                         std::max({0.0, box.low.y - p.y, p.y - box.high.y}),
-                         std::max({0.0, box.low.z - p.z, p.z - box.high.z})});
 }
 
 void NearestTriangle::look_at(Vec3 p, Index triangle, Hit& best) const {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/vec3.h"
+#include "geometry/box.h"
 #include "mesh/tri_mesh.h"
 
 namespace lpq {
@@ -29,17 +29,13 @@ class NearestTriangle {
   double distance(Vec3 p, Index& hint) const;
 
  private:
-  struct Box {
-    Vec3 low, high;
-  };
   struct Node {
-    Box box;
+    Box3 box;
     Index first = 0, count = 0;  // of order_, for leaves
     Index left = none, right = none;
   };
   Index build(Index first, Index last);
-  Box box_of(Index first, Index last) const;
-  static double squared_distance(const Box& box, Vec3 p);
+  Box3 box_of(Index first, Index last) const;
   void look_at(Vec3 p, Index triangle, Hit& best) const;
 
   std::span<const Vec3> points_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/box.h"
 #include "surface/components.h"
 
 namespace lpq {
@@ -139,12 +140,9 @@ class NormalFinder {
 
 double bounding_diagonal(const std::vector<Vec3>& points) {
   if (points.empty()) return 0;
-  Vec3 low = points[0], high = points[0];
-  for (const Vec3 p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return length(high - low);
+  Box3 box{points[0], points[0]};
+  for (const Vec3 p : points) extend(box, p);
+  return diagonal(box);
 }
 
 std::vector<Vec3> triangle_normals(const SurfaceMesh& mesh, std::span<const double> size) {

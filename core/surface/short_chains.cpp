@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/disjoint_sets.h"
+#include "geometry/box.h"
 #include "surface/sharp_chains.h"
 
 namespace lpq {
@@ -104,7 +105,7 @@ class ChainFilter {
 
 /// What is known of a connected heap of features.
 struct Heap {
-  Vec3 low, high;
+  Box3 box;
   double sizes = 0;   // sum over its edge ends
   double length = 0;  // twice
   Index ends = 0;
@@ -158,10 +159,7 @@ class HeapFilter {
   void gather(Index v, Index edge, Index valence) {
     Heap& heap = heaps_[sets_.root(v)];
     const Vec3 p = mesh_.points[v];
-    if (heap.ends == 0) heap.low = heap.high = p;
-    heap.low = {std::min(heap.low.x, p.x), std::min(heap.low.y, p.y), std::min(heap.low.z, p.z)};
-    heap.high = {std::max(heap.high.x, p.x), std::max(heap.high.y, p.y),
-                 std::max(heap.high.z, p.z)};
+    extend(heap.box, p);
     heap.sizes += size_[v];
     ++heap.ends;
     const auto& [a, b] = features_.edges.ends[edge];
@@ -188,8 +186,7 @@ class HeapFilter {
     if (!heap.loose && !heap.branched && heap.ends >= 2 * fewest_of_rim) return false;
     const double size = heap.sizes / heap.ends;
     if (heap.loose) return 0.5 * heap.length < options_.shortest * size;
-    return heap.around.is_beyond(uneven) &&
-           length(heap.high - heap.low) < options_.shortest_loop * size;
+    return heap.around.is_beyond(uneven) && diagonal(heap.box) < options_.shortest_loop * size;
   }
 
   const SurfaceMesh& mesh_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/box.h"
 #include "mesh/neighbours.h"
 #include "numerics/elementary.h"
 #include "surface/components.h"
@@ -113,21 +114,12 @@ Result<std::vector<double>> surface_sizes(const SurfaceMesh& mesh, std::span<con
 
 void limit_to_parts(const SurfaceMesh& mesh, double share, std::span<double> h) {
   const Components parts = components_of(mesh.twins);
-  std::vector<Vec3> low(parts.count, {infinite, infinite, infinite});
-  std::vector<Vec3> high(parts.count, {-infinite, -infinite, -infinite});
-  for (Index t = 0; t < mesh.triangle_count(); ++t) {
-    Vec3 &l = low[parts.of_triangle[t]], &u = high[parts.of_triangle[t]];
-    for (const Index v : mesh.triangles[t]) {
-      const auto [x, y, z] = mesh.points[v];
-      l = {std::min(l.x, x), std::min(l.y, y), std::min(l.z, z)};
-      u = {std::max(u.x, x), std::max(u.y, y), std::max(u.z, z)};
-    }
-  }
-  for (Index t = 0; t < mesh.triangle_count(); ++t) {
-    const Index part = parts.of_triangle[t];
+  std::vector<Box3> boxes(parts.count);
+  for (Index t = 0; t < mesh.triangle_count(); ++t)
+    for (const Index v : mesh.triangles[t]) extend(boxes[parts.of_triangle[t]], mesh.points[v]);
+  for (Index t = 0; t < mesh.triangle_count(); ++t)
     for (const Index v : mesh.triangles[t])
-      h[v] = std::min(h[v], share * distance(low[part], high[part]));
-  }
+      h[v] = std::min(h[v], share * diagonal(boxes[parts.of_triangle[t]]));
 }
 
 double surface_capacity(const SurfaceMesh& mesh, std::span<const double> h) {

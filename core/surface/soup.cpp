@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "base/words.h"
+#include "geometry/box.h"
 
 namespace lpq {
 namespace {
@@ -63,8 +63,7 @@ Check check_sizes(const SurfaceSoup& soup) {
 }
 
 Check check_points(const std::vector<Vec3>& points, SoupExtent& extent) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Vec3 low{infinity, infinity, infinity}, high = -low;
+  Box3 box;
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (!extent.used[v]) {
       ++extent.unused;
@@ -75,14 +74,13 @@ Check check_points(const std::vector<Vec3>& points, SoupExtent& extent) {
       return Error{ErrorCode::non_finite,
                    "Point " + std::to_string(v) + " has a coordinate that is not finite.",
                    {}};
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    extend(box, p);
   }
-  for (const double x : {low.x, low.y, low.z, high.x, high.y, high.z})
+  for (const double x : {box.lo.x, box.lo.y, box.lo.z, box.hi.x, box.hi.y, box.hi.z})
     if (std::fabs(x) > largest_coordinate)
       return Error{ErrorCode::too_large, "A coordinate is larger than 1e100.", {}};
-  extent.diagonal = length(high - low);
-  if (low == high || (extent.diagonal > smallest_surface && extent.diagonal < largest_surface))
+  extent.diagonal = diagonal(box);
+  if (box.lo == box.hi || (extent.diagonal > smallest_surface && extent.diagonal < largest_surface))
     return std::nullopt;
   return Error{ErrorCode::lost_precision,
                "The surface is " + short_number(extent.diagonal) +

@@ -40,6 +40,15 @@ void flatten_cubic(Vec2 a, Vec2 b, Vec2 c, Vec2 d, double limit2, int depth,
   flatten_cubic(middle, bcd, cd, d, limit2, depth + 1, polyline);
 }
 
+/// See CurvePath::arc_to.
+struct Arc {
+  Vec2 start, centre, axis;
+  double sweep;
+  Vec2 end;
+
+  Vec2 radius() const { return start - centre; }
+};
+
 /// The largest stretch of the map (1, 0) -> u, (0, 1) -> v.
 double largest_stretch(Vec2 u, Vec2 v) {
   const double p = squared_length(u), q = squared_length(v), r = dot(u, v);
@@ -47,15 +56,31 @@ double largest_stretch(Vec2 u, Vec2 v) {
   return std::sqrt(0.5 * (p + q) + std::sqrt(half * half + r * r));
 }
 
-/// The corners of tangents around the arc, at most a quarter turn each.
-void extend_by_arc(Vec2 start, Vec2 centre, Vec2 axis, double sweep, Box& box) {
-  const Vec2 u = start - centre;
-  const double quarters = std::min(std::ceil(std::abs(sweep) / (pi / 2)), 4.0);
-  const double stretch = 1 / sin_cos(sweep / (2 * quarters)).cos;
+/// By the corners of tangents around the arc, at most a quarter turn each, and its end.
+void extend_by_arc(const Arc& arc, Box& box) {
+  const Vec2 u = arc.radius();
+  const double quarters = std::min(std::ceil(std::abs(arc.sweep) / (pi / 2)), 4.0);
+  const double stretch = 1 / sin_cos(arc.sweep / (2 * quarters)).cos;
   for (double i = 0; i < quarters; ++i) {
-    const SinCos t = sin_cos(sweep * ((i + 0.5) / quarters));
-    extend(box, centre + stretch * (t.cos * u + t.sin * axis));
+    const SinCos t = sin_cos(arc.sweep * ((i + 0.5) / quarters));
+    extend(box, arc.centre + stretch * (t.cos * u + t.sin * arc.axis));
   }
+  extend(box, arc.end);
+}
+
+/// Appends its corners, without its start and with its end.
+void flatten_arc(const Arc& arc, double tolerance, std::vector<Vec2>& polyline) {
+  const Vec2 u = arc.radius();
+  const double step = std::sqrt(8 * tolerance / largest_stretch(u, arc.axis));
+  double pieces = std::ceil(std::abs(arc.sweep) / std::min(widest_step, step));
+  // A full turn in a multiple of four pieces keeps the symmetry of circles.
+  if (arc.start == arc.end) pieces = 4 * std::ceil(pieces / 4);
+  if (!(pieces <= finest_arc)) pieces = finest_arc;  // also NaN
+  for (double i = 1; i < pieces; ++i) {
+    const SinCos t = sin_cos(arc.sweep * (i / pieces));
+    polyline.push_back(arc.centre + t.cos * u + t.sin * arc.axis);
+  }
+  polyline.push_back(arc.end);
 }
 
 }  // namespace
@@ -112,8 +137,7 @@ void CurvePath::extend(Box& box) const {
   for (const Kind kind : kinds_) {
     const Vec2* p = points_.data() + at;
     if (kind == Kind::arc) {
-      extend_by_arc(p[-1], p[0], p[1], p[2].x, box);
-      lpq::extend(box, p[3]);
+      extend_by_arc({p[-1], p[0], p[1], p[2].x, p[3]}, box);
     } else {
       for (std::size_t i = 0; i < point_count(kind); ++i) lpq::extend(box, p[i]);
     }
@@ -130,37 +154,15 @@ void CurvePath::flatten(double tolerance, std::vector<Vec2>& polyline) const {
     switch (kind) {
       case Kind::line: polyline.push_back(p[0]); break;
       case Kind::cubic: flatten_cubic(p[-1], p[0], p[1], p[2], limit * limit, 0, polyline); break;
-      case Kind::arc: flatten_arc(p[-1], p[0], p[1], p[2].x, p[3], tolerance, polyline); break;
+      case Kind::arc: flatten_arc({p[-1], p[0], p[1], p[2].x, p[3]}, tolerance, polyline); break;
     }
     at += point_count(kind);
   }
 }
 
-Box empty_box() { return {{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}}; }
-
-void extend(Box& box, Vec2 p) {
-  box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y)};
-  box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y)};
-}
-
 double flattening_tolerance(const Box& box) {
-  const double size = std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y);
+  const double size = longer_side(box);
   return size > 0 && std::isfinite(size) ? flattening * size : 0;
-}
-
-void flatten_arc(Vec2 start, Vec2 centre, Vec2 axis, double sweep, Vec2 end, double tolerance,
-                 std::vector<Vec2>& polyline) {
-  const Vec2 u = start - centre;
-  const double step = std::sqrt(8 * tolerance / largest_stretch(u, axis));
-  double pieces = std::ceil(std::abs(sweep) / std::min(widest_step, step));
-  // A full turn in a multiple of four pieces keeps the symmetry of circles.
-  if (start == end) pieces = 4 * std::ceil(pieces / 4);
-  if (!(pieces <= finest_arc)) pieces = finest_arc;  // also NaN
-  for (double i = 1; i < pieces; ++i) {
-    const SinCos t = sin_cos(sweep * (i / pieces));
-    polyline.push_back(centre + t.cos * u + t.sin * axis);
-  }
-  polyline.push_back(end);
 }
 
 Direction direction_of_degrees(double degrees) {

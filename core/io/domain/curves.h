@@ -54,15 +54,8 @@ class CurvePath {
       points_;  // start; then per piece: end | two controls, end | centre, axis, (sweep, 0), end
 };
 
-/// A box that contains nothing.
-Box empty_box();
-void extend(Box& box, Vec2 p);
 /// The tolerance for curves that fill this box.
 double flattening_tolerance(const Box& box);
-
-/// Appends corners of the arc, without its start and with `end`.
-void flatten_arc(Vec2 start, Vec2 centre, Vec2 axis, double sweep, Vec2 end, double tolerance,
-                 std::vector<Vec2>& polyline);
 
 /// Sine and cosine of an angle in degrees; exact for multiples of 90.
 struct Direction {

@@ -1,8 +1,6 @@
 // See domain_format.h.
 #include "io/domain/domain_format.h"
 
-#include <algorithm>
-
 #include "io/domain/dxf_domain.h"
 #include "io/domain/geojson_domain.h"
 #include "io/domain/json_domain.h"
@@ -12,23 +10,12 @@
 #include "io/file_kind.h"
 #include "io/mesh_text.h"
 #include "io/number.h"
+#include "io/plain_text.h"
 #include "io/surface/surface_format.h"
 #include "io/text_place.h"
 
 namespace lpq {
 namespace {
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c; }
-
-bool same_letters(std::string_view a, std::string_view b) {
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(),
-                                            [](char x, char y) { return lower(x) == lower(y); });
-}
-
-std::string_view ending_of(std::string_view file_name) {
-  const std::size_t dot = file_name.rfind('.');
-  return dot == std::string_view::npos ? std::string_view() : file_name.substr(dot + 1);
-}
 
 /// Two integers on the first line with words: a .poly file. One, and "SECTION" after it: DXF.
 std::optional<DomainFormat> format_by_lines(std::string_view text) {
@@ -65,11 +52,9 @@ std::optional<DomainFormat> domain_format_by_ending(std::string_view file_name) 
 }
 
 std::optional<DomainFormat> domain_format_by_content(std::string_view text) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text.substr(0, 3) == byte_order_mark) text.remove_prefix(3);
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return std::nullopt;
-  const std::string_view rest = text.substr(first);
+  text.remove_prefix(byte_order_mark_size(text));
+  const std::string_view rest = past_blanks(text);
+  if (rest.empty()) return std::nullopt;
   if (rest[0] == '{') return looks_like_geojson(rest) ? DomainFormat::geojson : DomainFormat::json;
   if (rest[0] == '<') return DomainFormat::svg;
   if (rest.substr(0, 11) == "$MeshFormat") return DomainFormat::msh;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/words.h"
+#include "geometry/box.h"
 #include "geometry/segment.h"
 #include "io/number.h"
 
@@ -18,12 +19,6 @@ std::string number_text(double value) {
   std::string text;
   append_number(text, value);
   return text;
-}
-
-void set_point(Where& where, Vec2 p) {
-  where.has_point = true;
-  where.x = p.x;
-  where.y = p.y;
 }
 
 std::vector<Vec2> points_of(const LineWork& lines, const Walk& walk) {
@@ -59,7 +54,7 @@ void add_loop(const Drawing& drawing, Walk walk, DomainInput::Region& region) {
 
 void warn(std::vector<Warning>& warnings, ErrorCode code, std::string message, Vec2 at) {
   warnings.push_back({code, std::move(message), {}});
-  set_point(warnings.back().where, at);
+  warnings.back().where.set_point(at.x, at.y);
 }
 
 std::vector<Index> degrees(const LineWork& lines) {
@@ -113,9 +108,9 @@ std::string open_end_text(const Drawing& drawing, const std::vector<Index>& degr
 Error error_at_edge(const Drawing& drawing, Index edge, Index point, std::string message) {
   const Drawing::Source& source = drawing.sources[drawing.lines.edges[edge].source];
   Error error{ErrorCode::parse_error, std::move(message), {}};
-  error.where.line = source.line;
-  error.where.byte = source.byte;
-  set_point(error.where, drawing.lines.points[point]);
+  error.where.set_line(source.line, source.byte);
+  const Vec2 at = drawing.lines.points[point];
+  error.where.set_point(at.x, at.y);
   return error;
 }
 
@@ -129,13 +124,7 @@ Index Drawing::add_source(std::string_view name, std::int64_t line, std::int64_t
 }
 
 double drawing_size(const LineWork& lines) {
-  if (lines.points.empty()) return 0;
-  Vec2 lo = lines.points[0], hi = lo;
-  for (const Vec2 p : lines.points) {
-    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
-    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
-  }
-  return std::max(hi.x - lo.x, hi.y - lo.y);
+  return lines.points.empty() ? 0 : longer_side(box_of(lines.points));
 }
 
 Error too_many_corners() {
@@ -153,8 +142,7 @@ Problem join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
       continue;
     const Drawing::Source& source = drawing.sources[edge.source];
     Error error{ErrorCode::non_finite, "A coordinate is too large for a double.", {}};
-    error.where.line = source.line;
-    error.where.byte = source.byte;
+    error.where.set_line(source.line, source.byte);
     return error;
   }
   const double size = drawing_size(drawing.lines);

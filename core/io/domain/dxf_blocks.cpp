@@ -8,8 +8,7 @@ namespace {
 
 Error error_of(ErrorCode code, std::string message, const DxfItem& item) {
   Error error{code, std::move(message), {}};
-  error.where.line = item.line;
-  error.where.byte = item.byte;
+  error.where.set_line(item.line, item.byte);
   return error;
 }
 

@@ -71,8 +71,8 @@ class DxfReader {
       corners += least_corners(*piece.curve);
       if (!is_too_many(corners, text_.size())) continue;
       Error error = too_many_corners();
-      error.where.line = drawing_.sources[piece.source].line;
-      error.where.byte = drawing_.sources[piece.source].byte;
+      const Drawing::Source& source = drawing_.sources[piece.source];
+      error.where.set_line(source.line, source.byte);
       return error;
     }
     return {};
@@ -152,8 +152,7 @@ class DxfReader {
 Result<DomainFile> read_dxf_domain(std::string_view text) {
   if (text.substr(0, 18) == "AutoCAD Binary DXF") {
     Error error{ErrorCode::parse_error, "Binary DXF cannot be read; save it as ASCII DXF.", {}};
-    error.where.line = 1;
-    error.where.byte = 0;
+    error.where.set_line(1, 0);
     return error;
   }
   return DxfReader(text).read();

@@ -26,8 +26,6 @@ class EntityReader : public DxfFields {
   void read_line();
   void read_arc();
   void read_ellipse();
-  void add_arc(Vec2 centre, Vec2 zero, Vec2 quarter, double from, double sweep, Vec2 start,
-               Vec2 end);
   std::vector<Corner> light_corners();
   std::vector<Corner> heavy_corners(const std::vector<DxfEntity>& vertices);
   bool read_corners(const std::vector<Corner>& corners);
@@ -40,16 +38,6 @@ class EntityReader : public DxfFields {
 void EntityReader::read_line() {
   curve_.path = CurvePath(point(10));
   curve_.path.line_to(point(11));
-}
-
-/// From `start` at parameter `from` on centre + cos t zero + sin t quarter, over `sweep`.
-void EntityReader::add_arc(Vec2 centre, Vec2 zero, Vec2 quarter, double from, double sweep,
-                           Vec2 start, Vec2 end) {
-  curve_.closed = std::abs(sweep - 2 * pi) <= full_turn;
-  const SinCos t = sin_cos(from);
-  curve_.path = CurvePath(start);
-  curve_.path.arc_to(centre, t.cos * quarter - t.sin * zero, curve_.closed ? 2 * pi : sweep,
-                     curve_.closed ? start : end);
 }
 
 void EntityReader::read_arc() {
@@ -92,7 +80,11 @@ void EntityReader::read_ellipse() {
     const SinCos s = sin_cos(t);
     return centre + s.cos * major + s.sin * minor;
   };
-  add_arc(centre, major, minor, from, sweep, at(from), at(to));
+  curve_.closed = std::abs(sweep - 2 * pi) <= full_turn;
+  const SinCos s = sin_cos(from);
+  curve_.path = CurvePath(at(from));
+  curve_.path.arc_to(centre, s.cos * minor - s.sin * major, curve_.closed ? 2 * pi : sweep,
+                     curve_.closed ? at(from) : at(to));
 }
 
 std::vector<EntityReader::Corner> EntityReader::light_corners() {

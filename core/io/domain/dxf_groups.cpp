@@ -4,20 +4,16 @@
 #include <cmath>
 
 #include "io/number.h"
+#include "io/plain_text.h"
 
 namespace lpq {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
+constexpr std::string_view blanks = " \t";
 
 Error error_at_line(std::string message, std::int64_t line, std::int64_t byte) {
   Error error{ErrorCode::parse_error, std::move(message), {}};
-  error.where.line = line;
-  error.where.byte = byte;
+  error.where.set_line(line, byte);
   return error;
 }
 
@@ -25,12 +21,12 @@ Error error_at_line(std::string message, std::int64_t line, std::int64_t byte) {
 
 bool DxfGroups::next(DxfGroup& group) {
   if (lines_.at_end()) return false;
-  if (!parse_integer(trimmed(lines_.next()), group.code)) {
+  if (!parse_integer(trimmed(lines_.next(), blanks), group.code)) {
     malformed_ = true;
     return false;
   }
   if (lines_.at_end()) return false;
-  group.value = trimmed(lines_.next());
+  group.value = trimmed(lines_.next(), blanks);
   group.line = lines_.line();
   group.byte = lines_.byte();
   return true;

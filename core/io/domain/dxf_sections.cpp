@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/plain_text.h"
+
 namespace lpq {
 namespace {
 
@@ -171,12 +173,7 @@ void SectionReader::read_item(DxfBlock* block) {
 
 }  // namespace
 
-std::string dxf_key(std::string_view name) {
-  std::string key(name);
-  for (char& c : key)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return key;
-}
+std::string dxf_key(std::string_view name) { return lower_case(std::string(name)); }
 
 Result<DxfSections> read_dxf_sections(std::string_view text) { return SectionReader(text).read(); }
 

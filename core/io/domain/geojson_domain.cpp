@@ -35,7 +35,7 @@ struct Object {
   std::size_t first_region = 0, first_polyline = 0, first_point = 0;  // what lies in it
 };
 
-class Reader final : public JsonText::Sax {
+class Reader final : public JsonReader {
  public:
   explicit Reader(JsonText& text) : text_(text) {}
 
@@ -55,13 +55,6 @@ class Reader final : public JsonText::Sax {
   bool null() override { return other_value(); }
   bool boolean(bool) override { return other_value(); }
   bool binary(binary_t&) override { return other_value(); }
-  bool number_integer(number_integer_t value) override {
-    return number(signed_integer_to_double(value));
-  }
-  bool number_unsigned(number_unsigned_t value) override {
-    return number(static_cast<double>(value));
-  }
-  bool number_float(number_float_t value, const string_t&) override { return number(value); }
   bool string(string_t& value) override;
   bool key(string_t& value) override {
     frames_.back().key = std::move(value);
@@ -98,7 +91,7 @@ class Reader final : public JsonText::Sax {
   Role next_role() const;
   bool open(Role role, bool is_array);
   bool other_value();
-  bool number(double value);
+  bool number(double value) override;
   /// Of what write_geojson() makes: faces, each with its eta.
   static Error error_of_mesh() {
     return {

@@ -18,7 +18,7 @@ using json_domain::expected;
 using json_domain::Kind;
 using json_domain::Role;
 
-class Reader final : public nlohmann::json_sax<nlohmann::json> {
+class Reader final : public JsonReader {
  public:
   explicit Reader(JsonText& text) : text_(text) {}
 
@@ -39,13 +39,6 @@ class Reader final : public nlohmann::json_sax<nlohmann::json> {
   bool null() override { return scalar(Kind::other, "null"); }
   bool boolean(bool) override { return scalar(Kind::other, "a boolean"); }
   bool binary(binary_t&) override { return scalar(Kind::other, "binary data"); }
-  bool number_integer(number_integer_t value) override {
-    return number(signed_integer_to_double(value));
-  }
-  bool number_unsigned(number_unsigned_t value) override {
-    return number(static_cast<double>(value));
-  }
-  bool number_float(number_float_t value, const string_t&) override { return number(value); }
   bool string(string_t& value) override;
   bool start_object(std::size_t) override { return open(Kind::object); }
   bool start_array(std::size_t) override { return open(Kind::array); }
@@ -66,7 +59,7 @@ class Reader final : public nlohmann::json_sax<nlohmann::json> {
   Role next_role() const;
   bool begin_value(Kind kind, const char* found);
   bool scalar(Kind kind, const char* found) { return begin_value(kind, found); }
-  bool number(double value);
+  bool number(double value) override;
   bool open(Kind kind);
   bool close();
   void store_point(Vec2 point, Role role);

@@ -15,16 +15,14 @@ void append_points(JsonWriter& json, std::string_view name, const std::vector<Ve
 void append_region(JsonWriter& json, const DomainInput::Region& region) {
   json.begin_object();
   json.member("name", region.name);
-  json.key("loops");
-  json.begin_array();
+  json.begin_array("loops");
   for (const Loop& loop : region.loops) {
     if (&loop != &region.loops.front()) json.new_line();
     append_points(json, {}, loop);
   }
   json.end_array();
   if (!region.tags.empty()) {
-    json.key("tags");
-    json.begin_array();
+    json.begin_array("tags");
     for (const auto& tags : region.tags) {
       json.begin_array();
       for (const std::string& tag : tags) json.value(tag);
@@ -38,14 +36,12 @@ void append_region(JsonWriter& json, const DomainInput::Region& region) {
 // What steers sizes, directions and the start, where there is any.
 void append_steering(JsonWriter& json, const DomainInput& domain) {
   if (!domain.sizes.empty()) {
-    json.key("sizes");
-    json.begin_array();
+    json.begin_array("sizes");
     for (const DomainInput::SizeAt& s : domain.sizes) json.tuple(s.position.x, s.position.y, s.h);
     json.end_array();
   }
   if (!domain.guides.empty()) {
-    json.key("guides");
-    json.begin_array();
+    json.begin_array("guides");
     for (const DomainInput::Guide& guide : domain.guides) append_points(json, {}, guide);
     json.end_array();
   }
@@ -58,12 +54,10 @@ std::string write_domain_json(const DomainInput& domain) {
   std::string out;
   JsonWriter json(out);
   json.begin_object();
-  json.key("regions");
-  json.begin_array();
+  json.begin_array("regions");
   for (const DomainInput::Region& region : domain.regions) append_region(json, region);
   json.end_array();
-  json.key("polylines");
-  json.begin_array();
+  json.begin_array("polylines");
   for (const DomainInput::Polyline& line : domain.polylines) {
     json.begin_object();
     append_points(json, "points", line.points);
@@ -71,8 +65,7 @@ std::string write_domain_json(const DomainInput& domain) {
     json.end_object();
   }
   json.end_array();
-  json.key("points");
-  json.begin_array();
+  json.begin_array("points");
   for (const DomainInput::Point& point : domain.points) {
     json.begin_object();
     json.key("position");

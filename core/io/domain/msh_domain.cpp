@@ -66,9 +66,7 @@ Problem MshDomain::collect_sides() {
     if (sides_[i - 1] < sides_[i]) continue;
     Error error{
         ErrorCode::parse_error, "Two faces of the mesh lie on the same side of an edge.", {}};
-    error.where.has_point = true;
-    error.where.x = sides_[i].a.x;
-    error.where.y = sides_[i].a.y;
+    error.where.set_point(sides_[i].a.x, sides_[i].a.y);
     return error;
   }
   return {};

@@ -81,6 +81,12 @@ class PolyReader {
   void read_holes();
   void read_regions();
   std::vector<Marked> free_vertices() const;
+  std::vector<Vec2> probes(const std::vector<Marked>& free) const;
+  void paint(const NestedFaces& nested, std::vector<char>& filled,
+             std::vector<std::string>& names) const;
+  Index add_points(const std::vector<Marked>& free, const NestedFaces& nested,
+                   const std::vector<char>& filled);
+  void warn(Index segments_outside, Index points_outside);
   Result<DomainFile> finish();
 
   LineReader lines_;
@@ -177,16 +183,19 @@ std::vector<Marked> PolyReader::free_vertices() const {
   return free;
 }
 
-Result<DomainFile> PolyReader::finish() {
-  if (Problem problem = join_drawing(drawing_, text_size_, 0, file_.warnings)) return *problem;
-  const std::vector<Marked> free = free_vertices();
-  std::vector<Vec2> probes = holes_;
-  probes.insert(probes.end(), region_points_.begin(), region_points_.end());
-  for (const Marked& vertex : free) probes.push_back(vertex.point);
-  const NestedFaces nested = nest_faces(drawing_.lines, probes);
+/// What the faces around are asked for: holes, then points of regions, then free vertices.
+std::vector<Vec2> PolyReader::probes(const std::vector<Marked>& free) const {
+  std::vector<Vec2> points = holes_;
+  points.insert(points.end(), region_points_.begin(), region_points_.end());
+  for (const Marked& vertex : free) points.push_back(vertex.point);
+  return points;
+}
 
-  std::vector<char> filled(nested.planar.faces.size(), 1);
-  std::vector<std::string> names(filled.size());
+/// Faces with a hole in them are empty; points of regions name theirs.
+void PolyReader::paint(const NestedFaces& nested, std::vector<char>& filled,
+                       std::vector<std::string>& names) const {
+  filled.assign(nested.planar.faces.size(), 1);
+  names.resize(filled.size());
   for (std::size_t i = 0; i < holes_.size() + region_points_.size(); ++i) {
     const Index face = nested.around_probe(i);
     if (face == none) continue;
@@ -196,26 +205,29 @@ Result<DomainFile> PolyReader::finish() {
       names[face] = region_names_[i - holes_.size()];
     }
   }
-  if (std::find(filled.begin(), filled.end(), 1) == filled.end())
-    return Error{ErrorCode::empty,
-                 "Nothing is enclosed by segments, or all of it is holes. The outline must consist "
-                 "of segments; the convex hull (Triangle's -c) is not taken.",
-                 {}};
-  const Index outside = add_regions(
-      drawing_, nested, filled, [&](Index f) { return names[f]; }, file_.domain);
-  Index points_outside = 0;
+}
+
+/// Free vertices in filled faces; returns how many others there are.
+Index PolyReader::add_points(const std::vector<Marked>& free, const NestedFaces& nested,
+                             const std::vector<char>& filled) {
+  const std::size_t first_probe = holes_.size() + region_points_.size();
+  Index outside = 0;
   for (std::size_t i = 0; i < free.size(); ++i) {
-    const Index face = nested.around_probe(holes_.size() + region_points_.size() + i);
+    const Index face = nested.around_probe(first_probe + i);
     if (face == none || !filled[face]) {
-      ++points_outside;
+      ++outside;
     } else {
       file_.domain.points.push_back({free[i].point, marker_name(free[i].marker)});
     }
   }
-  if (outside > 0 || points_outside > 0)
+  return outside;
+}
+
+void PolyReader::warn(Index segments_outside, Index points_outside) {
+  if (segments_outside > 0 || points_outside > 0)
     file_.warnings.push_back({ErrorCode::ignored,
                               "Outside all regions, and left out: segments " +
-                                  std::to_string(outside) + ", vertices " +
+                                  std::to_string(segments_outside) + ", vertices " +
                                   std::to_string(points_outside) + ".",
                               {}});
   if (area_limits_ > 0)
@@ -223,6 +235,23 @@ Result<DomainFile> PolyReader::finish() {
                               "Area limits of regions were ignored: " +
                                   std::to_string(area_limits_) + ". Give the option size instead.",
                               {}});
+}
+
+Result<DomainFile> PolyReader::finish() {
+  if (Problem problem = join_drawing(drawing_, text_size_, 0, file_.warnings)) return *problem;
+  const std::vector<Marked> free = free_vertices();
+  const NestedFaces nested = nest_faces(drawing_.lines, probes(free));
+  std::vector<char> filled;
+  std::vector<std::string> names;
+  paint(nested, filled, names);
+  if (std::find(filled.begin(), filled.end(), 1) == filled.end())
+    return Error{ErrorCode::empty,
+                 "Nothing is enclosed by segments, or all of it is holes. The outline must consist "
+                 "of segments; the convex hull (Triangle's -c) is not taken.",
+                 {}};
+  const Index segments_outside = add_regions(
+      drawing_, nested, filled, [&](Index f) { return names[f]; }, file_.domain);
+  warn(segments_outside, add_points(free, nested, filled));
   return std::move(file_);
 }
 

@@ -89,10 +89,7 @@ void SvgReader::unite_crossing() {
   if (const auto place = unite_painted(drawing_.lines, rules, gap)) {
     warn(true, "Painted shapes cross: what they cover together was taken, without the lines in it.",
          ErrorCode::adapted);
-    Where& where = file_.warnings.back().where;
-    where.has_point = true;
-    where.x = place->x;
-    where.y = place->y;
+    file_.warnings.back().where.set_point(place->x, place->y);
   }
 }
 

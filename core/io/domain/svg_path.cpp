@@ -5,16 +5,15 @@
 #include <cmath>
 
 #include "io/number.h"
+#include "io/plain_text.h"
 #include "numerics/elementary.h"
 
 namespace lpq {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_command(char c) {
   return c != '\0' && std::string_view("MmZzLlHhVvCcSsQqTtAa").find(c) != std::string_view::npos;
 }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 /// Numbers as SVG packs them: "1-2.5.5e3" is 1, -2.5, .5e3.
 class Scanner {

@@ -3,16 +3,14 @@
 
 #include <algorithm>
 
+#include "io/plain_text.h"
+
 namespace lpq {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n\f";
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
+std::string_view trimmed(std::string_view text) { return lpq::trimmed(text, blanks); }
 
 /// The text before the separator, which is taken away with it.
 std::string_view take_until(std::string_view& text, char separator) {

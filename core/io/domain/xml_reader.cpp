@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "io/plain_text.h"
 #include "io/text_place.h"
 
 namespace lpq {
@@ -70,8 +71,7 @@ bool append_entity(std::string& out, std::string_view name) {
 }  // namespace
 
 XmlReader::XmlReader(std::string_view text, std::size_t start) : text_(text), at_(start) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (start == 0 && text_.substr(0, 3) == byte_order_mark) at_ = 3;
+  if (start == 0) at_ = byte_order_mark_size(text_);
 }
 
 XmlReader::Event XmlReader::fail(std::size_t byte, std::string message) {

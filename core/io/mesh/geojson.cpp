@@ -14,8 +14,7 @@ class GeoJsonWriter {
   std::string write() {
     json_.begin_object();
     json_.member("type", "FeatureCollection");
-    json_.key("features");
-    json_.begin_array();
+    json_.begin_array("features");
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) face(f);
     for (std::size_t e = 0; e < mesh_.edges.size();) e = run(e);
     for (const OutputPoint& point : mesh_.tagged_points) {
@@ -37,15 +36,13 @@ class GeoJsonWriter {
     json_.new_line();
     json_.begin_object();
     json_.member("type", "Feature");
-    json_.key("geometry");
-    json_.begin_object();
+    json_.begin_object("geometry");
     json_.member("type", type);
     json_.key("coordinates");
   }
   void properties() {
     json_.end_object();
-    json_.key("properties");
-    json_.begin_object();
+    json_.begin_object("properties");
   }
   void close() {
     json_.end_object();

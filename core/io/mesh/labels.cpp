@@ -5,25 +5,14 @@
 
 #include "io/escape.h"
 #include "io/number.h"
+#include "io/plain_text.h"
 
 namespace lpq {
-namespace {
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-std::string lower_case(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
-}  // namespace
-
 std::string Labels::add(std::string_view name) {
   std::string plain;
   append_ascii(plain, name, "_");
   for (char& c : plain)
-    if (!is_letter(c) && !(c >= '0' && c <= '9')) c = '_';
+    if (!is_letter(c) && !is_digit(c)) c = '_';
   if (plain.empty() || !is_letter(plain[0])) plain.insert(0, "n_");
   plain.resize(std::min(plain.size(), longest_));
   const auto [entry, is_new] = given_.try_emplace(lower_case(plain), 1);

@@ -14,6 +14,7 @@
 #include "io/mesh/vtk.h"
 #include "io/mesh/vtu.h"
 #include "io/picture/svg.h"
+#include "io/plain_text.h"
 #include "io/text_place.h"
 
 namespace lpq {
@@ -34,12 +35,7 @@ void each_ending(Visit&& visit) {
 
 bool ends_with(std::string_view text, std::string_view ending) {
   if (text.size() < ending.size()) return false;
-  text.remove_prefix(text.size() - ending.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if ((c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c) != ending[i]) return false;
-  }
-  return true;
+  return same_letters(text.substr(text.size() - ending.size()), ending);
 }
 
 /// ".obj, .msh, ... or .json" of the formats that are wanted.

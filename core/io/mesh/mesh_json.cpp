@@ -8,8 +8,7 @@ namespace {
 
 void append_faces(JsonWriter& json, const OutputMesh& mesh, int corners, const char* name,
                   const char* region_name) {
-  json.key(name);
-  json.begin_array();
+  json.begin_array(name);
   for (const Face& f : mesh.faces) {
     if (corner_count(f) != corners) continue;
     if (corners == 4) {
@@ -20,8 +19,7 @@ void append_faces(JsonWriter& json, const OutputMesh& mesh, int corners, const c
   }
   json.end_array();
   json.new_line();
-  json.key(region_name);
-  json.begin_array();
+  json.begin_array(region_name);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
     if (corner_count(mesh.faces[f]) == corners) json.value(mesh.region[f]);
   json.end_array();
@@ -29,18 +27,15 @@ void append_faces(JsonWriter& json, const OutputMesh& mesh, int corners, const c
 }
 
 void append_edges(JsonWriter& json, const OutputMesh& mesh) {
-  json.key("edges");
-  json.begin_array();
+  json.begin_array("edges");
   for (const OutputEdge& edge : mesh.edges) json.tuple(edge.a, edge.b);
   json.end_array();
   json.new_line();
-  json.key("edgeTag");
-  json.begin_array();
+  json.begin_array("edgeTag");
   for (const OutputEdge& edge : mesh.edges) json.value(edge.tag);
   json.end_array();
   json.new_line();
-  json.key("edgeRegions");
-  json.begin_array();
+  json.begin_array("edgeRegions");
   for (const OutputEdge& edge : mesh.edges) json.tuple(edge.left, edge.right);
   json.end_array();
   json.new_line();
@@ -52,8 +47,7 @@ std::string write_mesh_json(const OutputMesh& mesh) {
   std::string out;
   JsonWriter json(out);
   json.begin_object();
-  json.key("points");
-  json.begin_array();
+  json.begin_array("points");
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     const Vec3 p = mesh.point(static_cast<Index>(v));
     if (mesh.in_space()) {
@@ -67,8 +61,7 @@ std::string write_mesh_json(const OutputMesh& mesh) {
   append_faces(json, mesh, 4, "quads", "quadRegion");
   append_faces(json, mesh, 3, "triangles", "triangleRegion");
   append_edges(json, mesh);
-  json.key("taggedPoints");
-  json.begin_array();
+  json.begin_array("taggedPoints");
   for (const OutputPoint& point : mesh.tagged_points) json.tuple(point.point, point.tag);
   json.end_array();
   json.array("regions", mesh.regions);

@@ -36,8 +36,7 @@ class MshReader {
     if (failed_) return;
     failed_ = true;
     error_ = {ErrorCode::parse_error, std::move(message), {}};
-    error_.where.line = element.line;
-    error_.where.byte = element.byte;
+    error_.where.set_line(element.line, element.byte);
   }
 
   void add(const MshElement& element) {

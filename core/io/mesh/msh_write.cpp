@@ -2,6 +2,7 @@
 #include <array>
 
 #include "base/check.h"
+#include "geometry/box.h"
 #include "io/escape.h"
 #include "io/mesh/msh.h"
 #include "io/mesh/msh_model.h"
@@ -52,12 +53,8 @@ class MshWriter {
     out_.back() = '\n';
   }
   void coordinates(Vec3 p) {
-    bool first = !out_.empty() && out_.back() == '\n';
-    for (const double x : {p.x, p.y, p.z}) {
-      if (!first) out_ += ' ';
-      append_number(out_, x);
-      first = false;
-    }
+    if (out_.back() != '\n') out_ += ' ';
+    append_numbers(out_, {p.x, p.y, p.z});
     out_ += '\n';
   }
 
@@ -121,22 +118,11 @@ class MshWriter {
 
   // --- version 4.1: nodes and elements come in blocks, one per entity
 
-  struct Box {
-    Vec3 lo, hi;
-    bool empty = true;
-    void add(Vec3 p) {
-      if (empty) lo = hi = p;
-      empty = false;
-      lo = {p.x < lo.x ? p.x : lo.x, p.y < lo.y ? p.y : lo.y, p.z < lo.z ? p.z : lo.z};
-      hi = {p.x > hi.x ? p.x : hi.x, p.y > hi.y ? p.y : hi.y, p.z > hi.z ? p.z : hi.z};
-    }
-  };
-  void bounding_box(const Box& box) {
-    for (const Vec3 p : {box.lo, box.hi}) {
-      for (const double x : {p.x, p.y, p.z}) {
-        text(" ");
-        append_number(out_, x);
-      }
+  void bounding_box(const Box3& box) {
+    const Box3 shown = is_empty(box) ? Box3{{}, {}} : box;
+    for (const Vec3 p : {shown.lo, shown.hi}) {
+      text(" ");
+      append_numbers(out_, {p.x, p.y, p.z});
     }
   }
   Vec3 point(Index v) const { return mesh_.point(v); }
@@ -148,10 +134,8 @@ class MshWriter {
     for (std::size_t p = 0; p < mesh_.tagged_points.size(); ++p) {
       integer(p + 1);
       const Vec3 at = point(mesh_.tagged_points[p].point);
-      for (const double x : {at.x, at.y, at.z}) {
-        text(" ");
-        append_number(out_, x);
-      }
+      text(" ");
+      append_numbers(out_, {at.x, at.y, at.z});
       text(" 1 ");
       line(model_.point_physical[p]);
     }
@@ -159,10 +143,10 @@ class MshWriter {
     Csr<std::int64_t> bounding = surface_boundaries(surfaces);
     for (std::size_t s = 0; s < surfaces; ++s) {
       integer(s + 1);
-      Box box;
+      Box3 box;
       for (const Index f : model_.faces_of_region.row(static_cast<Index>(s))) {
         const Face& face = mesh_.faces[static_cast<std::size_t>(f)];
-        for (int k = 0; k < corner_count(face); ++k) box.add(point(face[k]));
+        for (int k = 0; k < corner_count(face); ++k) extend(box, point(face[k]));
       }
       bounding_box(box);
       text(" 1 ");
@@ -180,10 +164,10 @@ class MshWriter {
   }
 
   void curve_entity(std::size_t c) {
-    Box box;
+    Box3 box;
     for (const Index e : model_.curves[c].edges) {
-      box.add(point(mesh_.edges[static_cast<std::size_t>(e)].a));
-      box.add(point(mesh_.edges[static_cast<std::size_t>(e)].b));
+      extend(box, point(mesh_.edges[static_cast<std::size_t>(e)].a));
+      extend(box, point(mesh_.edges[static_cast<std::size_t>(e)].b));
     }
     integer(c + 1);
     bounding_box(box);

@@ -14,11 +14,7 @@ namespace {
 
 void append_vertex(std::string& out, Vec3 p) {
   out += "v ";
-  append_number(out, p.x);
-  out += ' ';
-  append_number(out, p.y);
-  out += ' ';
-  append_number(out, p.z);
+  append_numbers(out, {p.x, p.y, p.z});
   out += '\n';
 }
 

@@ -76,9 +76,7 @@ class Su2Writer {
   void points() {
     count("NPOIN= ", mesh_.points.size());
     for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
-      append_number(out_, mesh_.points[v].x);
-      out_ += ' ';
-      append_number(out_, mesh_.points[v].y);
+      append_numbers(out_, {mesh_.points[v].x, mesh_.points[v].y});
       node(static_cast<Index>(v));
       out_ += '\n';
     }

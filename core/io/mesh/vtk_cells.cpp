@@ -24,11 +24,7 @@ void append_vtk_names(std::string& out, const std::vector<std::string>& names) {
 void append_vtk_points(std::string& out, const OutputMesh& mesh) {
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     const Vec3 p = mesh.point(static_cast<Index>(v));
-    append_number(out, p.x);
-    out += ' ';
-    append_number(out, p.y);
-    out += ' ';
-    append_number(out, p.z);
+    append_numbers(out, {p.x, p.y, p.z});
     out += '\n';
   }
 }

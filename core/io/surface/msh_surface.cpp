@@ -20,8 +20,7 @@ Error unknown_node(const MshElement& element, std::int64_t tag) {
   Error error{ErrorCode::parse_error,
               "An element names node " + std::to_string(tag) + ", which is not in the file.",
               {}};
-  error.where.line = element.line;
-  error.where.byte = element.byte;
+  error.where.set_line(element.line, element.byte);
   return error;
 }
 

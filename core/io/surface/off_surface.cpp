@@ -1,6 +1,7 @@
 // See off_surface.h.
 #include "io/surface/off_surface.h"
 
+#include "io/plain_text.h"
 #include "io/surface/soup_builder.h"
 #include "io/surface/surface_text.h"
 

@@ -6,6 +6,7 @@
 
 #include "io/mesh_text.h"
 #include "io/number.h"
+#include "io/plain_text.h"
 #include "io/text_place.h"
 
 namespace lpq {
@@ -45,7 +46,7 @@ class HeaderReader {
   explicit HeaderReader(std::string_view bytes) : bytes_(bytes) {}
 
   Result<PlyHeader> read() {
-    if (bytes_.substr(0, 3) == "\xEF\xBB\xBF") next_ = 3;  // a byte order mark
+    next_ = byte_order_mark_size(bytes_);
     if (next_line(); words_.size() != 1 || words_[0] != "ply")
       fail("A PLY file begins with 'ply'.");
     while (!failed_) {

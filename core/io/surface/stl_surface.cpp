@@ -4,6 +4,7 @@
 #include <array>
 
 #include "io/byte_order.h"
+#include "io/plain_text.h"
 #include "io/surface/soup_builder.h"
 #include "io/surface/surface_text.h"
 #include "io/text_place.h"
@@ -175,11 +176,8 @@ bool is_binary_stl(std::string_view bytes) {
 Result<SurfaceSoup> read_stl_surface(std::string_view bytes) {
   // Some binary files begin with 'solid', too; no text holds a zero.
   if (is_binary_stl(bytes) || bytes.find('\0') != std::string_view::npos) return read_binary(bytes);
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  std::string_view text = bytes;
-  if (text.substr(0, 3) == byte_order_mark) text.remove_prefix(3);
-  const std::size_t start = std::min(text.find_first_not_of(" \t\r\n"), text.size());
-  if (same_letters(text.substr(start, 5), "solid")) return StlTextReader(text).read();
+  const std::string_view text = bytes.substr(byte_order_mark_size(bytes));
+  if (same_letters(past_blanks(text).substr(0, 5), "solid")) return StlTextReader(text).read();
   return read_binary(bytes);
 }
 

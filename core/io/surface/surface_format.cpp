@@ -7,21 +7,17 @@
 #include "io/domain/domain_format.h"
 #include "io/file_kind.h"
 #include "io/mesh/msh_parse.h"
+#include "io/mesh_text.h"
+#include "io/plain_text.h"
 #include "io/surface/msh_surface.h"
 #include "io/surface/obj_surface.h"
 #include "io/surface/off_surface.h"
 #include "io/surface/ply_surface.h"
 #include "io/surface/stl_surface.h"
-#include "io/surface/surface_text.h"
 #include "io/text_place.h"
 
 namespace lpq {
 namespace {
-
-std::string_view ending_of(std::string_view file_name) {
-  const std::size_t dot = file_name.rfind('.');
-  return dot == std::string_view::npos ? std::string_view() : file_name.substr(dot + 1);
-}
 
 bool starts_like_obj(std::string_view text) {
   LineReader lines(text);
@@ -40,7 +36,7 @@ bool starts_like_obj(std::string_view text) {
 bool starts_like_off(std::string_view text) {
   while (!text.empty() && text[0] == '#') {
     text.remove_prefix(std::min(text.find_first_of("\r\n"), text.size()));
-    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    text = past_blanks(text);
   }
   const std::string_view word =
       text.substr(0, std::min(text.find_first_of(" \t\r\n"), text.size()));
@@ -65,11 +61,9 @@ std::optional<SurfaceFormat> surface_format_by_ending(std::string_view file_name
 
 std::optional<SurfaceFormat> surface_format_by_content(std::string_view bytes) {
   if (is_binary_stl(bytes)) return SurfaceFormat::stl;
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (bytes.substr(0, 3) == byte_order_mark) bytes.remove_prefix(3);
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return std::nullopt;
-  const std::string_view rest = bytes.substr(first);
+  bytes.remove_prefix(byte_order_mark_size(bytes));
+  const std::string_view rest = past_blanks(bytes);
+  if (rest.empty()) return std::nullopt;
   if (rest.substr(0, 4) == "ply\n" || rest.substr(0, 4) == "ply\r") return SurfaceFormat::ply;
   if (rest.substr(0, 11) == "$MeshFormat") return SurfaceFormat::msh;
   if (same_letters(rest.substr(0, 5), "solid")) return SurfaceFormat::stl;

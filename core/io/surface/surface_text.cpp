@@ -1,19 +1,9 @@
 // See surface_text.h.
 #include "io/surface/surface_text.h"
 
+#include "io/plain_text.h"
+
 namespace lpq {
-namespace {
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c; }
-
-}  // namespace
-
-bool same_letters(std::string_view word, std::string_view lower_case) {
-  if (word.size() != lower_case.size()) return false;
-  for (std::size_t i = 0; i < word.size(); ++i)
-    if (lower(word[i]) != lower_case[i]) return false;
-  return true;
-}
 
 bool is_not_finite_word(std::string_view word) {
   if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.remove_prefix(1);

@@ -10,9 +10,6 @@
 
 namespace lpq {
 
-/// Whether a word is `lower_case` in capitals or small letters.
-bool same_letters(std::string_view word, std::string_view lower_case);
-
 /// Whether a word is a number that is not finite, as printf and many programs write it.
 bool is_not_finite_word(std::string_view word);
 

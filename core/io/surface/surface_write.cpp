@@ -27,11 +27,8 @@ std::string write_surface_obj(const SurfaceMesh& surface, std::span<const std::s
                               std::span<const std::string> body_names) {
   std::string out = "# lpquad\n";
   for (const Vec3 p : surface.points) {
-    out += 'v';
-    for (const double x : {p.x, p.y, p.z}) {
-      out += ' ';
-      append_number(out, x);
-    }
+    out += "v ";
+    append_numbers(out, {p.x, p.y, p.z});
     out += '\n';
   }
   Index group = none, body = none;
