@@ -48,7 +48,7 @@ struct Options {
   double simplify = 0;
   bool allow_added_point = false;
   bool strict = false;
-  double size_weight = 0.12;  // with 0.11 larger fillings of patches had sizes too uneven
+  double size_weight = 0.12;  // at 0.11 the fillings of patches are too uneven in size
   int smoothing = -1;
   int max_elements = 10'000'000;
 };

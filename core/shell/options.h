@@ -19,7 +19,7 @@ struct SurfaceOptions {
   int iterations = -1;
   int restarts = -1;
   std::uint64_t seed = 1;
-  double size_weight = 0.11;  // that of Options too, until its patches got larger fillings
+  double size_weight = 0.11;
   int smoothing = -1;
   int max_elements = 10'000'000;
 };
