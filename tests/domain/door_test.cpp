@@ -190,6 +190,52 @@ TEST_CASE("regions share edges and corners, nothing else") {
         ErrorCode::region_conflict);
 }
 
+TEST_CASE("regions that rounding has parted are told of, others are not") {
+  const auto beside = [](double gap) {
+    return regions_of({{rectangle(0, 0, 1, 1)}, {rectangle(1 + gap, 0, 2, 1)}});
+  };
+  for (const double gap : {1e-15, 1e-9, 1e-6}) {
+    const auto domain = make_domain(beside(gap));
+    REQUIRE(domain.has_value());
+    REQUIRE(domain->warnings.size() == 1);
+    const Warning& warning = domain->warnings[0];
+    CHECK(warning.code == ErrorCode::touching);
+    CHECK(warning.where.has_point);
+    CHECK(warning.where.x == Approx(1));
+    CHECK(warning.message.find("edge 1 of loop 0 of region 0") != std::string::npos);
+    CHECK(warning.message.find("edge 3 of loop 0 of region 1") != std::string::npos);
+  }
+  // A gap that is meant, a common edge, and one with a short edge in it.
+  CHECK(make_domain(beside(0.01))->warnings.empty());
+  CHECK(make_domain(beside(0))->warnings.empty());
+  const Loop right = {{1, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 0.5}, {1, 0.5 - 1e-9}};
+  const Loop left = {{0, 0}, {1, 0}, {1, 0.5 - 1e-9}, {1, 0.5}, {1, 1}, {0, 1}};
+  CHECK(make_domain(regions_of({{left}, {right}}))->warnings.empty());
+}
+
+TEST_CASE("walls that leave no room between them are refused") {
+  const auto frame = rectangle(0, 0, 1, 1);
+  for (const double gap : {1e-16, 1e-14}) {
+    const Error error = refused(one_region({frame, rectangle(0.2, gap, 0.4, 0.2)}));
+    CHECK(error.code == ErrorCode::touching);
+    CHECK(error.where.y == Approx(0).margin(1e-9));
+    auto input = one_region({frame});
+    input.points = {{{0.3, gap}, ""}};
+    CHECK(refused(input).code == ErrorCode::touching);
+    input.points.clear();
+    input.polylines = {{{{0.2, gap}, {0.4, gap}}, "wall"}};
+    CHECK(refused(input).code == ErrorCode::touching);
+    // A slit in the outline has nothing between its sides.
+    CHECK(make_domain(
+              one_region(
+                  {{{0, 0}, {1, 0}, {1, 1}, {0.5 + gap, 1}, {0.5, 0.5}, {0.5 - gap, 1}, {0, 1}}}))
+              .has_value());
+  }
+  CHECK(make_domain(one_region({frame, rectangle(0.2, 1e-9, 0.4, 0.2)})).has_value());
+  // As is a short edge between two walls that meet there.
+  CHECK(make_domain(one_region({{{0, 0}, {1, 0}, {1, 1e-15}, {0.9, 1}, {0, 1}}})).has_value());
+}
+
 TEST_CASE("polylines lie inside and meet only at points") {
   auto input = one_region({rectangle(0, 0, 10, 10)});
   const auto with = [&](std::vector<std::vector<Vec2>> lines) {
