@@ -117,14 +117,14 @@ Result<Stage> Mesher::make_seeds() {
     lp.energy.p = options_.norm;
     lp.max_iterations = attempt().iterations;
     auto optimizer = LpRestarts::start(nodes, *fields_, seeds_, lp, {.rounds = attempt().restarts});
-    if (!optimizer) return next_attempt(optimizer.error());
+    if (!optimizer) return next_attempt(in_world(optimizer.error(), frame()));
     optimizer_ = std::move(*optimizer);
     triangles_ = optimizer_->mesh();
     stage_ = Stage::optimise;
     report_.chain += attempt().restarts > 0 ? " + L_p with restarts" : " + L_p";
   } else {
     auto triangles = triangulate(nodes, seeds_);
-    if (!triangles) return next_attempt(triangles.error());
+    if (!triangles) return next_attempt(in_world(triangles.error(), frame()));
     triangles_ = std::move(*triangles);
     stage_ = Stage::match;
   }

@@ -214,14 +214,13 @@ UserFields with_those_of(const DomainInput& input, UserFields user) {
   return user;
 }
 
-// The fields know the unit frame only; people know their own coordinates.
+}  // namespace
+
 Error in_world(Error error, const UnitFrame& frame) {
   const Vec2 at = frame.to_world({error.where.x, error.where.y});
-  if (error.where.has_point) error.where.x = at.x, error.where.y = at.y;
+  if (error.where.has_point) error.where.set_point(at.x, at.y);
   return error;
 }
-
-}  // namespace
 
 Result<Preparation> prepare(const DomainInput& input, const Options& options,
                             const UserFields& user) {

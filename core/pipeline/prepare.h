@@ -21,6 +21,9 @@ struct Preparation {
 Result<Preparation> prepare(const DomainInput& input, const Options& options,
                             const UserFields& user = {});
 
+/// An error of the steps that know the unit frame only, for people, who know their own coordinates.
+Error in_world(Error error, const UnitFrame& frame);
+
 /// The same fields with every target size multiplied by `factor`.
 Fields with_scaled_size(Fields fields, double factor);
 
