@@ -69,19 +69,27 @@ class DomainMaker {
     for (const Index c : curves_at(features, curves)) {
       const auto vertices = curves.vertices.row(c);
       const auto edges = curves.edges.row(c);
+      const std::size_t n = edges.size();
+      const auto inner = [&](std::size_t k) {
+        return inner_half_edge(features.edges, edges[k % n], vertices[k % n], atlas);
+      };
+      // A loop without a corner begins anywhere: where it leaves this chart, or it closes in it.
+      std::size_t first = 0;
+      if (curves.is_loop[c])
+        while (first < n && inner(first + n - 1) != none) ++first;
+      const bool closed = first == n;
       Loop line;
-      for (std::size_t k = 0; k < edges.size(); ++k) {
-        const Index e = inner_half_edge(features.edges, edges[k], vertices[k], atlas);
+      for (std::size_t k = first; k < first + n; ++k) {
+        const Index e = inner(k);
         if (e == none) {
           add_polyline(std::move(line));
           line.clear();
           continue;
         }
         append(e, line);
-        if (k + 1 == edges.size() ||
-            inner_half_edge(features.edges, edges[k + 1], vertices[k + 1], atlas) == none)
-          append_target(e, line);
+        if (!closed && (k + 1 == first + n || inner(k + 1) == none)) append_target(e, line);
       }
+      if (closed && line.size() > 2) line.push_back(line.front());
       add_polyline(std::move(line));
     }
   }

@@ -54,23 +54,29 @@ class ShellCheck {
         add("One edge lies on two curves.", mesh_.edges[i][0]);
   }
 
-  Edge wanted_faces(const Edge& ends) const {
+  /// The place among the edges of curves, or none.
+  Index on_curve(const Edge& ends) const {
     const auto at = std::lower_bound(mesh_.edges.begin(), mesh_.edges.end(), ends);
-    if (at == mesh_.edges.end() || *at != ends) return {1, 1};
-    return mesh_.sides[at - mesh_.edges.begin()];
+    if (at == mesh_.edges.end() || *at != ends) return none;
+    return static_cast<Index>(at - mesh_.edges.begin());
   }
 
   void check_edges() {
-    for_each_edge(sides_, [this](std::span<const FaceSide> on_edge) {
+    std::vector<char> met(mesh_.edges.size(), 0);
+    for_each_edge(sides_, [&](std::span<const FaceSide> on_edge) {
       Edge faces{0, 0};
       for (const FaceSide& side : on_edge) ++faces[side.forward ? 0 : 1];
       const Edge& ends = on_edge[0].ends;
-      const Edge wanted = wanted_faces(ends);
+      const Index curve_edge = on_curve(ends);
+      const Edge wanted = curve_edge == none ? Edge{1, 1} : mesh_.sides[curve_edge];
+      if (curve_edge != none) met[curve_edge] = 1;
       if (faces[0] > wanted[0] || faces[1] > wanted[1])
         add("An edge has more faces than the surface has there.", ends[0]);
       else if (faces != wanted)
         add("An edge has fewer faces than the surface has there.", ends[0]);
     });
+    for (std::size_t i = 0; i < met.size(); ++i)
+      if (!met[i]) add("An edge of a curve is no side of a face.", mesh_.edges[i][0]);
   }
 
   Index wanted_parts(Index v, const std::vector<Index>& parts) const {

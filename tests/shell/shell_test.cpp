@@ -198,6 +198,11 @@ TEST_CASE("the final check finds what is wrong with a mesh, and where") {
   open.faces.pop_back();
   open.face.pop_back();
   CHECK(wrong(open));
+  ShellMesh bridged = good.mesh;  // an edge of a curve that no face has
+  const auto last = static_cast<Index>(bridged.points.size()) - 1;
+  bridged.edges.push_back({last, last + 1});
+  bridged.sides.push_back({1, 1});
+  CHECK(check_shell(good.surface, bridged).size() == 1);
   ShellMesh pinched = good.mesh;  // two vertices that no face has both of
   const Index from = pinched.faces[0][0], to = pinched.faces.back()[0];
   for (Face& face : pinched.faces) std::replace(face.begin(), face.end(), from, to);
