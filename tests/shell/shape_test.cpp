@@ -221,6 +221,18 @@ TEST_CASE("in a plane the energies are those of the plane") {
   }
 }
 
+TEST_CASE("no more iterations are made than are given, but the given ones are") {
+  for (const int iterations : {0, 1, 2, 4, 7}) {
+    Meshed meshed(box_soup({1, 2, 1}, 3), 0.125);
+    shake(meshed, 0.07, 5);
+    SmoothOptions options;
+    options.iterations = iterations;
+    const int made = optimise_shape(meshed.charted(), options, meshed.mesh()).iterations;
+    CHECK(made <= iterations);
+    CHECK((made > 0) == (iterations > 0));
+  }
+}
+
 TEST_CASE("a shaken box finds back, and its edges stay where they are") {
   Meshed meshed(box_soup({1, 2, 1}, 3), 0.125);
   const std::vector<Face> faces = meshed.mesh().faces;

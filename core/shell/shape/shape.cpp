@@ -64,7 +64,7 @@ class WholeDescent {
  public:
   WholeDescent(const ShapeGround& ground, const SmoothOptions& options,
                const std::vector<VertexRole>& roles, ShellMesh& mesh)
-      : most_(options.iterations / rounds), mesh_(mesh), smoother_(ground, roles, options, mesh) {}
+      : most_(options.iterations), mesh_(mesh), smoother_(ground, roles, options, mesh) {}
 
   bool step() {
     if (round_ == rounds) return false;
@@ -83,20 +83,20 @@ class WholeDescent {
   void begin_round() {
     least_ = least_allowed(mesh_, smoother_.judge_all());
     before_ = smoother_.states();
-    left_ = most_;
+    given_ = left_ = std::min(std::max(most_ / rounds, 1), most_ - all_);
   }
 
   void end_round() {
     take_back(mesh_, before_, least_, smoother_);
-    all_ += most_ - left_;
-    round_ = left_ == most_ ? rounds : round_ + 1;
+    all_ += given_ - left_;
+    round_ = left_ == given_ ? rounds : round_ + 1;
     bound_ = std::begin(pinned_below);
   }
 
-  int most_;  // iterations of a round
+  int most_;  // iterations of all rounds
   const ShellMesh& mesh_;
   ShapeSmoother smoother_;
-  int round_ = 0, left_ = 0, all_ = 0;
+  int round_ = 0, given_ = 0, left_ = 0, all_ = 0;  // iterations: of this round, left of it, made
   const double* bound_ = std::begin(pinned_below);
   std::vector<double> least_;           // #F
   std::vector<Freedom::State> before_;  // #V
