@@ -59,7 +59,10 @@ bool ChartRounds::mesh_planes(int threads, FunctionRef<bool(Index)> keep_going) 
 }
 
 std::optional<Error> ChartRounds::step() {
-  if (!charts_) return start_round();
+  if (!charts_) {
+    auto problem = start_round();
+    return problem && take_kept() ? std::nullopt : problem;
+  }
   charts_->step();
   if (!charts_->done()) return std::nullopt;
   MeshedCharts made = charts_->take();
@@ -109,7 +112,7 @@ void ChartRounds::refine_doubts() {
   // Very many: the size is too coarse all over, and that is the caller's wish.
   if (doubts.empty() || doubts.size() == most_doubtful) return;
   ++doubts_;
-  kept_ = {mesh_, size_, curves_, nodes_, doubts.size()};
+  kept_ = {mesh_, size_, cut_.features, lines_, curves_, nodes_, doubts.size()};
   (void)try_again(doubts);
 }
 
@@ -163,6 +166,8 @@ bool ChartRounds::take_kept() {
   if (!kept_) return false;
   mesh_ = std::move(kept_->mesh);
   size_ = std::move(kept_->size);
+  cut_.features = std::move(kept_->features);
+  lines_ = std::move(kept_->lines);
   curves_ = std::move(kept_->curves);
   nodes_ = std::move(kept_->nodes);
   kept_.reset();

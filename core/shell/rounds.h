@@ -76,6 +76,7 @@ class ChartRounds {
   struct Kept {
     ShellMesh mesh;
     std::vector<double> size;
+    SurfaceFeatures features, lines;
     SurfaceCurves curves;
     CurveMesh nodes;
     std::size_t doubts = 0;  // places where it is too coarse
