@@ -86,6 +86,7 @@ SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> g
   unmark_smooth_edges(marks, features);
   drop_small_heaps(mesh, size, angles, options, features);
   unfold_needles(mesh, size, angles, options, features);
+  unmark_smooth_edges(marks, features);
   number_faces(mesh, features);
   mark_corners(mesh, size, options.corner_angle, features);
   mark_bends(mesh, size, options.bend_angle, features);

@@ -59,7 +59,9 @@ class Zip {
 
   std::optional<Step> step_from(Index start) const {
     const auto first = border_.lower_bound({start, 0}), last = border_.lower_bound({start + 1, 0});
-    if (std::distance(first, last) > most) return std::nullopt;
+    int count = 0;
+    for (auto at = first; at != last; ++at)
+      if (++count > most) return std::nullopt;
     for (auto far = first; far != last; ++far)
       for (auto near = first; near != last; ++near) {
         const Tri& t = triangles_[far->second];

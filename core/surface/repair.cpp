@@ -81,19 +81,24 @@ class Repair {
       }
   }
 
-  /// A point far away from all others, or too large a weld, would make one point of nearly all.
-  Problem check_weld() const {
-    const double reach = options_.weld * diagonal_;
+  bool joins_nearly_all(double reach) const {
     double edges = 0, shorter = 0;
-    Vec3 sum{};
     for (const Tri& t : soup_.triangles)
       for (int k = 0; k < 3; ++k) {
         const double side = distance(soup_.points[t[k]], soup_.points[t[(k + 1) % 3]]);
-        sum += soup_.points[t[k]];
         edges += side > 0;
         shorter += side > 0 && side < reach;
       }
-    if (shorter <= most_shorter * edges) return {};
+    return shorter > most_shorter * edges;
+  }
+
+  /// A point far away from all others, or too large a weld, would make one point of nearly all.
+  Problem check_weld() const {
+    const double reach = options_.weld * diagonal_;
+    if (!joins_nearly_all(reach)) return {};
+    Vec3 sum{};
+    for (const Tri& t : soup_.triangles)
+      for (const Index v : t) sum += soup_.points[v];
     const Vec3 mean = (1 / (3.0 * static_cast<double>(soup_.triangles.size()))) * sum;
     Vec3 far = mean;
     for (const Tri& t : soup_.triangles)
@@ -128,6 +133,7 @@ class Repair {
     if (given.count < mostly_open * all) return;
     for (const double wider : {1e-8, 1e-7, 1e-6, 1e-5}) {
       if (wider <= options_.weld) continue;
+      if (joins_nearly_all(wider * diagonal_)) return;
       std::vector<Index> first = welded(wider);
       const OpenEdges now = open_edges(soup_.triangles, first);
       if (now.collapsed > given.collapsed + may_collapse * all ||

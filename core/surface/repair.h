@@ -16,9 +16,9 @@ struct RepairOptions {
   /// Points nearer than this, relative to the bounding box's diagonal, are one point. 1e-10 is what
   /// rounding leaves of equal points; files whose sheets do not quite meet may need 1e-7 or more.
   /// A file whose triangles hardly hang together at all gets the least of 1e-8 .. 1e-5 that makes
-  /// them: it has rounded its points face by face. Slits of 1e-6 are closed unless this is 0, and
-  /// points that hang on edges as near as the larger of the two become theirs.
-  double weld = 1e-10;  // 0 .. 0.01, 0 welds equal points only
+  /// them: it has rounded its points face by face. Slits of 1e-6 are closed as well, and points
+  /// that hang on edges as near as the larger of the two become theirs.
+  double weld = 1e-10;  // 0 .. 0.01; below 1e-15, as 0, nothing but equal points is joined
 };
 
 struct RepairReport {

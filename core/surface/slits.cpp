@@ -53,7 +53,8 @@ BorderGap border_gap(std::span<const Vec3> points, std::span<const Tri> triangle
   for (Index v = 0; v < count; ++v) {
     if (first[v] == v) continue;
     if (gap.points++ == 0) gap.at = points[v];
-    gap.width = std::max(gap.width, distance(points[v], points[first[v]]));
+    // Of several borders beside each other the first may be far; the next one is not.
+    gap.width = std::max(gap.width, std::min(reach, distance(points[v], points[first[v]])));
   }
   return gap;
 }

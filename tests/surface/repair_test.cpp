@@ -261,6 +261,23 @@ TEST_CASE("triangles whose points are rounded one by one are put together") {
   }
 }
 
+TEST_CASE("of many borders beside each other the gap to the next one is told") {
+  const double gap = 8e-4;
+  SurfaceSoup soup;
+  for (int plate = 0; plate < 20; ++plate) {
+    const auto first = static_cast<Index>(soup.points.size());
+    const double z = gap * plate;
+    for (const Vec3 p : {Vec3{0, 0, z}, Vec3{1, 0, z}, Vec3{1, 1, z}, Vec3{0, 1, z}})
+      soup.points.push_back(p);
+    soup.triangles.push_back({first, first + 1, first + 2});
+    soup.triangles.push_back({first, first + 2, first + 3});
+  }
+  const auto plates = repaired(soup);
+  CHECK(plates.report.gap.points > 0);
+  CHECK(plates.report.gap.width < 2 * gap);
+  CHECK(plates.report.closing_weld <= 0.01);
+}
+
 TEST_CASE("gaps between borders are told, with the weld that closes them") {
   const SurfaceSoup box = box_soup({1, 2, 3}, 4);
   for (const double gap : {1e-5, 1e-3, 0.1}) {

@@ -48,8 +48,7 @@ class ChartMaker {
   std::vector<Index> face_;                  // #T
   std::vector<std::vector<Index>> waiting_;  // parts, as triangles
   std::vector<Index> chart_of_;              // #T  none while waiting
-  // First triangle, number and sum of triangles of the parts without a good map.
-  std::set<std::array<std::int64_t, 3>> hopeless_;
+  std::set<std::uint64_t> hopeless_;         // hashes of the parts without a good map
   Atlas atlas_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/hash.h"
 #include "base/sort_numbers.h"
 #include "surface/charts/chart_maker.h"
 #include "surface/components.h"
@@ -13,10 +14,10 @@ namespace {
 // run along creases.
 constexpr double bending_weight = 2;
 
-std::array<std::int64_t, 3> signature_of(const Part& part) {
-  std::int64_t sum = 0;
-  for (const Index t : part.triangles) sum += t;
-  return {part.triangles[0], part.triangle_count(), sum};
+std::uint64_t signature_of(const Part& part) {
+  Fnv1a hash;
+  hash.add(std::span<const Index>(part.triangles));
+  return hash.value();
 }
 
 void count(Verdict verdict, ChartCounts& counts) {

@@ -30,7 +30,7 @@ struct ChartOptions {
   MapLimits limits;
 };
 
-/// What happened on the way, for reports and benchmarks.
+/// What happened on the way, for tests and benchmarks.
 struct ChartCounts {
   Index maps = 0;                                                 // solved for
   Index topology = 0, flips = 0, crossings = 0, distortions = 0;  // splits, by reason

@@ -35,8 +35,8 @@ Index count_flipped(const Part& part, std::span<const Vec2> uv);
 /// all that was checked stays as it is, so that lengths are right but for a factor of sqrt 2.
 void scale_to_surface(const SurfaceMesh& mesh, const Part& part, std::span<Vec2> uv);
 
-/// sqrt(area in the plane / area in space) of each triangle; that of the largest neighbours for
-/// triangles too flat to tell.
+/// sqrt(area in the plane / area in space) of each triangle; that of the whole part for triangles
+/// too flat to tell.
 std::vector<double> scales_of(const SurfaceMesh& mesh, const Part& part, std::span<const Vec2> uv);
 
 }  // namespace lpq

@@ -27,7 +27,7 @@ Intrinsic intrinsic_of(const SurfaceMesh& mesh, const Part& part);
 /// themselves then, and edges may run from a vertex to itself.
 void flip_to_delaunay(Intrinsic& surface);
 
-/// Twice the tangent of angle k has the same sign as this: 4 area of the triangle, > 0.
+/// Four times the area of the triangle; a little above 0 where it is flat.
 double four_areas(const double (&length)[3]);
 
 /// Weight (cot alpha) / 2 of each half-edge, alpha the angle across it: #half-edges.
