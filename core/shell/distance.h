@@ -15,7 +15,9 @@ struct Distance {
 
 struct SurfaceDistance {
   Distance to_surface;    // from the mesh: vertices, middles of edges and of faces
-  Distance from_surface;  // from the surface: vertices, and places a quarter of a side apart
+  // From the surface: vertices, and places a quarter of a side apart, or more where the mesh is far
+  // finer than elsewhere.
+  Distance from_surface;
 };
 
 /// Measured at samples: the distance between them may be a little more. A quad counts as the four

@@ -141,7 +141,6 @@ void summarise(const SurfaceFeatures& features, const SurfaceCrossField& cross,
   count_lines(features, surface, report);
   outcome.face_group = groups_of_faces(features, surface);
   report.charts = static_cast<Index>(outcome.atlas.charts.size());
-  report.chart_counts = outcome.atlas.counts;
   report.singularities = cross.singularities;
   report.quality = shell_quality(outcome.mesh);
   report.size = shell_size_fidelity(outcome.mesh, surface.triangles, size);

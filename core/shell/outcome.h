@@ -29,7 +29,6 @@ struct ShellReport {
   RepairReport repair;
   Index feature_edges = 0, corners = 0, curves = 0, faces = 0;
   Index charts = 0;
-  ChartCounts chart_counts;
   std::vector<SurfaceSingularity> singularities;
   Index rounds = 1;                // of the charts: one more whenever sizes became smaller
   std::vector<BodyReport> bodies;  // empty if the input does not tell them
