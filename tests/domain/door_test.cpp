@@ -255,6 +255,46 @@ TEST_CASE("what is said of polylines that touch or overlap is what helps") {
   says(regions_of({{rectangle(0, 0, 1, 1)}, {rectangle(1, 0, 2, 2)}}), "the same two end points");
 }
 
+TEST_CASE("of two tags of one edge that of the first region is kept, with a word") {
+  auto input = regions_of({{rectangle(0, 0, 1, 1)}, {rectangle(1, 0, 2, 1)}});
+  const auto tagged = [&](const std::string& one, const std::string& two) {
+    input.regions[0].tags = {{"", one, "", ""}};
+    input.regions[1].tags = {{"", "", "", two}};
+    return make_domain(input);
+  };
+  const auto domain = tagged("interface", "contact");
+  REQUIRE(domain.has_value());
+  REQUIRE(domain->warnings.size() == 1);
+  const Warning& warning = domain->warnings[0];
+  INFO(warning.message);
+  CHECK(warning.code == ErrorCode::ignored);
+  CHECK(warning.message.find("\"contact\" of edge 3 of loop 0 of region 1") != std::string::npos);
+  CHECK(warning.message.find("edge 1 of loop 0 of region 0") != std::string::npos);
+  CHECK(warning.message.find("\"interface\" is kept") != std::string::npos);
+  CHECK(warning.where.region == 1);
+  CHECK(warning.where.edge == 3);
+  for (const Segment& s : domain->segments)
+    if (s.right != none) CHECK(domain->tags[s.tag] == "interface");
+  CHECK(tagged("interface", "interface")->warnings.empty());
+  CHECK(tagged("interface", "")->warnings.empty());
+  CHECK(tagged("", "contact")->warnings.empty());
+  // Limited, as all warnings of one kind.
+  Loop top, bottom;
+  for (int i = 0; i <= 30; ++i) {
+    top.push_back({i * 1.0, 0});
+    bottom.push_back({i * 1.0, 0});
+  }
+  top.push_back({30, 30});
+  bottom.push_back({30, -30});
+  input = regions_of({{top}, {bottom}});
+  input.regions[0].tags = {std::vector<std::string>(32, "a")};
+  input.regions[1].tags = {std::vector<std::string>(32, "b")};
+  const auto many = make_domain(input);
+  REQUIRE(many.has_value());
+  REQUIRE(many->warnings.size() == 21);
+  CHECK(many->warnings.back().message == "And 10 more of this kind.");
+}
+
 TEST_CASE("points lie strictly inside or on a corner") {
   auto input = square_with_holes();
   input.points = {{{5, 5}, "probe"}, {{10, 10}, "corner"}};
