@@ -25,7 +25,7 @@ std::optional<Error> misuse(const ConvertArgs& args) {
   if (args.files.output.empty()) return usage("Nothing to write. Give -o TRIANGLES.obj.");
   if (mesh_format(args.files.output) != MeshFormat::obj)
     return usage("'" + args.files.output + "' must end in .obj.");
-  if (args.files.output == args.inputs[0])
+  if (real_path(args.files.output) == real_path(args.inputs[0]))
     return usage("'" + args.files.output + "' is the input, and would be overwritten.");
   return std::nullopt;
 }

@@ -28,30 +28,37 @@ std::string expand(std::string pattern, const std::string& stem) {
   return pattern;
 }
 
+struct Output {
+  std::string file, name;  // what it is, and how it was given
+};
+
+bool before(const Output& one, const Output& two) { return one.file < two.file; }
+
+std::vector<Output> outputs_of(const std::vector<RunFiles>& runs) {
+  std::vector<Output> outputs;
+  for (const RunFiles& run : runs)
+    for (const std::string* name : {&run.output, &run.report, &run.stages, &run.svg, &run.uv})
+      if (!name->empty()) outputs.push_back({real_path(*name), *name});
+  std::stable_sort(outputs.begin(), outputs.end(), before);
+  return outputs;
+}
+
 /// Two runs with one file would silently lose a result.
-std::string first_repeated(const std::vector<RunFiles>& runs) {
-  std::vector<std::string> names;
-  for (const RunFiles& run : runs) {
-    for (const std::string* name : {&run.output, &run.report, &run.stages, &run.svg, &run.uv}) {
-      if (!name->empty()) names.push_back(*name);
-    }
-  }
-  std::sort(names.begin(), names.end());
-  const auto repeated = std::adjacent_find(names.begin(), names.end());
-  return repeated == names.end() ? std::string() : *repeated;
+std::string first_repeated(const std::vector<Output>& outputs) {
+  const auto repeated =
+      std::adjacent_find(outputs.begin(), outputs.end(),
+                         [](const Output& one, const Output& two) { return one.file == two.file; });
+  return repeated == outputs.end() ? std::string() : repeated->name;
 }
 
 /// A folder of .obj surfaces as -o would replace them by their meshes.
-std::string first_overwritten(const std::vector<RunFiles>& runs) {
-  const auto plain = [](const std::string& name) {
-    return std::filesystem::path(name).lexically_normal();
-  };
-  std::vector<std::filesystem::path> inputs;
-  for (const RunFiles& run : runs) inputs.push_back(plain(run.input));
-  std::sort(inputs.begin(), inputs.end());
-  for (const RunFiles& run : runs)
-    for (const std::string* name : {&run.output, &run.report, &run.svg, &run.uv})
-      if (std::binary_search(inputs.begin(), inputs.end(), plain(*name))) return *name;
+std::string first_overwritten(const std::vector<RunFiles>& runs,
+                              const std::vector<Output>& outputs) {
+  for (const RunFiles& run : runs) {
+    const Output input{real_path(run.input), {}};
+    const auto found = std::lower_bound(outputs.begin(), outputs.end(), input, before);
+    if (found != outputs.end() && found->file == input.file) return found->name;
+  }
   return {};
 }
 
@@ -91,12 +98,14 @@ Result<std::vector<RunFiles>> plan_files(const MeshArgs& args) {
     if (!run) return run.error();
     runs.push_back(*std::move(run));
   }
-  const std::string repeated = first_repeated(runs);
-  if (!repeated.empty()) {
-    return usage("'" + repeated +
-                 "' would be written twice. With several inputs, put {} into the names.");
-  }
-  const std::string overwritten = first_overwritten(runs);
+  const std::vector<Output> outputs = outputs_of(runs);
+  const std::string repeated = first_repeated(outputs);
+  if (!repeated.empty())
+    return usage(
+        "'" + repeated +
+        "' would be written twice. Give every file a name of its own; with several inputs, "
+        "put {} into the names.");
+  const std::string overwritten = first_overwritten(runs, outputs);
   if (!overwritten.empty())
     return usage("'" + overwritten + "' is an input, and would be overwritten.");
   return runs;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/few_warnings.h"
 #include "base/sort_numbers.h"
 
 namespace lpq {
@@ -19,6 +20,7 @@ class Canonicaliser {
   void number_pairs();
   void collect_tags();
   Problem add_loop(Index chain);
+  void warn_of_tag(Index existing, Index edge);
   Problem share(Index existing, Index edge, bool reversed, Index region);
   void add_polylines();
   void add_points();
@@ -34,6 +36,7 @@ class Canonicaliser {
   std::vector<Index> pair_;          // #edges  the same for edges between the same two vertices
   std::vector<Index> segment_of_;    // #pairs  the segment between these vertices, or none
   std::vector<Index> segment_edge_;  // #S  edge of the outline it came from
+  FewWarnings tags_left_out_;
   const std::string no_tag_;
 };
 
@@ -106,6 +109,17 @@ Index Canonicaliser::smallest_corner(const Chain& chain) const {
   return best;
 }
 
+void Canonicaliser::warn_of_tag(Index existing, Index edge) {
+  const Index first = segment_edge_[existing];
+  const Vec2 place = outline_.given[outline_.edges[edge].a];
+  tags_left_out_.add({ErrorCode::ignored,
+                      "The tag \"" + tag_text(edge) + "\" of " + edge_name(outline_, edge) +
+                          " at " + point_text(place) + " was left out: the same edge is " +
+                          edge_name(outline_, first) + ", whose tag \"" +
+                          domain_.tags[domain_.segments[existing].tag] + "\" is kept.",
+                      at_point(where_edges(outline_, edge, first), place)});
+}
+
 Problem Canonicaliser::share(Index existing, Index edge, bool reversed, Index region) {
   Segment& segment = domain_.segments[existing];
   const Edge& e = outline_.edges[edge];
@@ -121,7 +135,9 @@ Problem Canonicaliser::share(Index existing, Index edge, bool reversed, Index re
                  at_point(where_edges(outline_, first, edge), place)};
   }
   side = region;
-  if (segment.tag == none) segment.tag = tag_of(tag_text(edge));
+  const std::string& tag = tag_text(edge);
+  if (segment.tag == none) segment.tag = tag_of(tag);
+  if (!tag.empty() && tag != domain_.tags[segment.tag]) warn_of_tag(existing, edge);
   return {};
 }
 
@@ -203,6 +219,7 @@ Result<Domain> Canonicaliser::run() {
   add_points();
   domain_.h = outline_.frame.length_to_frame(outline_.input->h);
   domain_.warnings = outline_.warnings;
+  for (Warning& warning : tags_left_out_.take()) domain_.warnings.push_back(std::move(warning));
   return std::move(domain_);
 }
 

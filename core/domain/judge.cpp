@@ -75,11 +75,21 @@ Problem judge_overlap(const Outline& outline, const EdgePair& pair) {
   Index ends[4] = {e.a, e.b, f.a, f.b};
   sort_numbers(ends, [&](Index p, Index q) { return outline.points[p] < outline.points[q]; });
   const Vec2 place = outline.given[ends[1]];
+  const Chain &one = outline.chains[e.chain], &two = outline.chains[f.chain];
+  const char* cure = ". Remove one of them.";
+  if (one.is_loop() != two.is_loop()) {
+    cure =
+        ". Leave that piece out of the polyline: edges of loops are edges of the mesh anyhow, and "
+        "have tags of their own.";
+  } else if (one.region != two.region) {
+    cure =
+        ". Remove one of them, or let both have the same two end points if they bound different "
+        "regions.";
+  }
   return Error{ErrorCode::overlapping_edges,
                capitalised(edge_name(outline, pair.edge)) + " and " +
                    edge_name(outline, pair.other) + " lie on each other near " + point_text(place) +
-                   ". Remove one of them, or let both have the same two end points if they bound "
-                   "different regions.",
+                   cure,
                at_point(where_edges(outline, pair.edge, pair.other), place)};
 }
 
@@ -99,12 +109,15 @@ Problem judge_touch(const Outline& outline, const EdgePair& pair) {
   const Index carrier = on_other ? pair.other : pair.edge;
   const Index guest = on_other ? pair.edge : pair.other;
   const Chain &one = outline.chains[e.chain], &two = outline.chains[f.chain];
-  const bool may_join = one.region != two.region;
+  const char* cure = ". Move one of them, so that the loops stay apart.";
+  if (!outline.chains[outline.edges[carrier].chain].is_loop()) {
+    cure = ". Make this point one of that polyline's, so that both have it.";
+  } else if (one.region != two.region) {
+    cure = ". Add this point to that edge, so that both have it as a corner.";
+  }
   return Error{ErrorCode::touching,
                "An end of " + edge_name(outline, guest) + " touches " +
-                   edge_name(outline, carrier) + " at " + point_text(outline.given[corner]) +
-                   (may_join ? ". Add this point to that edge, so that both have it as a corner."
-                             : ". Move one of them, so that the loops stay apart."),
+                   edge_name(outline, carrier) + " at " + point_text(outline.given[corner]) + cure,
                at_point(where_edges(outline, pair.edge, pair.other), outline.given[corner])};
 }
 

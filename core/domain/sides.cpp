@@ -51,6 +51,7 @@ class SideSettler {
   Index region_at(Index vertex, Problem& problem);
   Vec2 at(Index point) const { return domain_.points[point]; }
   std::string name(Index region) const;
+  Index claimant(Index region, Index segment, Index other) const;
   Error conflict(Index vertex, Index one, Index two) const;
   Error outside(const std::string& what, Vec2 world) const;
 
@@ -66,6 +67,12 @@ std::string SideSettler::name(Index region) const {
   if (region == none) return "the outside";
   const std::string& text = domain_.regions[region];
   return "region " + std::to_string(region) + (text.empty() ? "" : " (" + text + ")");
+}
+
+/// Who says that a region is beside a segment: where it is the outside, the region inside of it.
+Index SideSettler::claimant(Index region, Index segment, Index other) const {
+  const Index inside = domain_.segments[segment].region;
+  return region == none && inside != other ? inside : region;
 }
 
 Error SideSettler::conflict(Index vertex, Index one, Index two) const {
@@ -126,15 +133,18 @@ Problem SideSettler::settle_fan(Index vertex) {
   Index start = 0;
   while (start < static_cast<Index>(fan.size()) && fan[start].left == unknown) ++start;
   if (start == static_cast<Index>(fan.size())) return {};  // polylines only
-  Index sector = fan[start].left;
+  Index sector = fan[start].left, before = fan[start].segment;
   for (std::size_t i = 1; i <= fan.size(); ++i) {
     const Spoke& spoke = fan[(start + i) % fan.size()];
     if (spoke.right == unknown) {
       give_polyline(spoke.segment, sector);
       continue;
     }
-    if (spoke.right != sector) return conflict(vertex, sector, spoke.right);
+    if (spoke.right != sector)
+      return conflict(vertex, claimant(sector, before, spoke.right),
+                      claimant(spoke.right, spoke.segment, sector));
     sector = spoke.left;
+    before = spoke.segment;
   }
   return {};
 }
@@ -188,7 +198,8 @@ Problem SideSettler::settle_components() {
     Problem problem;
     const Index around = region_at(v, problem);
     if (problem) return problem;
-    if (around != last->left) return conflict(v, around, last->left);
+    if (around != last->left)
+      return conflict(v, around, claimant(last->left, last->segment, around));
   }
   return {};
 }
@@ -270,7 +281,9 @@ Problem SideSettler::settle_points() {
       return Error{ErrorCode::touching,
                    "The point " + point_text(world) + " lies on edge " + std::to_string(s.edge) +
                        " of " + (is_polyline(s) ? "polyline " : "loop ") + std::to_string(s.loop) +
-                       ". Make it a corner of that edge's loop instead.",
+                       ". Make it a " +
+                       (is_polyline(s) ? "point of that polyline" : "corner of that edge's loop") +
+                       " instead.",
                    where};
     }
     Problem problem;

@@ -43,8 +43,11 @@ bool JsonText::is_bare_literal() const {
   return text_[static_cast<std::size_t>(reached_ - json_.data() - 2)] != '"';
 }
 
-Error JsonText::error(ErrorCode code, std::string message) const {
-  const std::ptrdiff_t byte = std::max<std::ptrdiff_t>(reached_ - json_.data() - 1, 0);
+std::ptrdiff_t JsonText::byte() const {
+  return std::max<std::ptrdiff_t>(reached_ - json_.data() - 1, 0);
+}
+
+Error JsonText::error(ErrorCode code, std::string message, std::ptrdiff_t byte) const {
   Error error{code, std::move(message), {}};
   error.where.byte = byte;
   error.where.line = 1 + std::count(text_.data(), text_.data() + byte, '\n');

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/result.h"
 
@@ -42,8 +43,13 @@ class JsonText {
   bool at_end() const { return reached_ == json_.data() + json_.size(); }
   /// The empty string read last stands for NaN or Infinity.
   bool is_bare_literal() const;
-  /// An error at the byte read last, with its line.
-  Error error(ErrorCode code, std::string message) const;
+  /// The byte read last.
+  std::ptrdiff_t byte() const;
+  /// An error at a byte, with its line. Cost: the bytes before it.
+  Error error(ErrorCode code, std::string message, std::ptrdiff_t byte) const;
+  Error error(ErrorCode code, std::string message) const {
+    return error(code, std::move(message), byte());
+  }
 
  private:
   /// An input iterator that shows how far the lexer has read.

@@ -1,9 +1,12 @@
 // Arguments to values: every option of the tables, every way to get one wrong.
 #include "cli/args.h"
 
+#include <filesystem>
+
 #include "catch.h"
 #include "cli/help.h"
 #include "cli/outputs.h"
+#include "support/cli_runner.h"
 
 using namespace lpq;
 
@@ -104,4 +107,21 @@ TEST_CASE("file names are planned before any work") {
   args.inputs = {"x/a.json", "y/a.json"};
   args.files.output = "out/";
   CHECK_FALSE(plan_files(args).has_value());
+}
+
+TEST_CASE("no file is written over another or over an input, whatever it is called") {
+  const lpq_test::ScratchFolder folder("planned");
+  MeshArgs args;
+  args.inputs = {"c.json"};
+  args.files.output = (std::filesystem::current_path() / "c.json").string();
+  CHECK(plan_files(args).error().message.find("is an input") != std::string::npos);
+  args.inputs = {folder.write("a.json", "{}")};
+  std::filesystem::create_symlink("a.json", folder / "b.json");
+  args.files.output = folder / "b.json";
+  CHECK(plan_files(args).error().message.find("is an input") != std::string::npos);
+  args.files.output = "./b.msh";
+  args.files.report = "b.msh";
+  CHECK(plan_files(args).error().message.find("would be written twice") != std::string::npos);
+  args.files.report = "c.msh";
+  CHECK(plan_files(args).has_value());
 }

@@ -152,6 +152,7 @@ TEST_CASE("surfaces are converted with their groups, repaired") {
   for (const std::vector<std::string>& wrong : {std::vector<std::string>{"convert"},
                                                 {"convert", cube},
                                                 {"convert", cube, "-o", cube},
+                                                {"convert", cube, "-o", folder / "./cube.obj"},
                                                 {"convert", cube, "-o", folder / "x.stl"},
                                                 {"convert", cube, cube, "-o", out},
                                                 {"convert", cube, "-o", out, "--sise", "1"}})

@@ -185,6 +185,17 @@ TEST_CASE("regions share edges and corners, nothing else") {
   CHECK(refused(regions_of({{rectangle(-1, -1, 3, 3)}, {left}})).code ==
         ErrorCode::region_conflict);
   CHECK(refused(regions_of({{left}, {left}})).code == ErrorCode::region_conflict);
+  // Both regions are named, whether the inner one is apart, at a corner, or comes first.
+  const Loop hung{{0, 0}, {0.5, 0.2}, {0.2, 0.5}};
+  for (const auto& input : {regions_of({{rectangle(-1, -1, 3, 3)}, {left}}),
+                            regions_of({{left}, {rectangle(-1, -1, 3, 3)}}),
+                            regions_of({{left}, {hung}}), regions_of({{hung}, {left}})}) {
+    const std::string message = refused(input).message;
+    INFO(message);
+    CHECK(message.find("region 0") != std::string::npos);
+    CHECK(message.find("region 1") != std::string::npos);
+    CHECK(message.find("outside") == std::string::npos);
+  }
   // Within the other region, but hung at its corner.
   CHECK(refused(regions_of({{left}, {{{0, 0}, {0.5, 0.2}, {0.2, 0.5}}}})).code ==
         ErrorCode::region_conflict);
@@ -259,6 +270,75 @@ TEST_CASE("polylines lie inside and meet only at points") {
   CHECK(refused(with({{{0, 0}, {10, 0}}})).code == ErrorCode::overlapping_edges);
   CHECK(refused(with({{{0, 0}, {-5, -5}}})).code == ErrorCode::hole_outside);
   CHECK(refused(with({{{20, 20}, {25, 25}}})).code == ErrorCode::hole_outside);
+}
+
+TEST_CASE("what is said of polylines that touch or overlap is what helps") {
+  auto input = one_region({rectangle(0, 0, 10, 10)});
+  const auto says = [&](const DomainInput& wrong, const std::string& part) {
+    const std::string message = refused(wrong).message;
+    INFO(message);
+    CHECK(message.find(part) != std::string::npos);
+  };
+  input.polylines = {{{{2, 5}, {8, 5}}, "a"}, {{{5, 5}, {5, 8}}, "b"}};
+  says(input, "Make this point one of that polyline's");
+  input.polylines[0].points = {{2, 5}, {5, 5}, {8, 5}};
+  CHECK(make_domain(input).has_value());
+  input.polylines = {{{{0, 0}, {5, 5}, {8, 5}, {8, 2}, {3, 3}}, "a"}};
+  says(input, "Make this point one of that polyline's");
+  input.polylines[0].points = {{0, 0}, {3, 3}, {5, 5}, {8, 5}, {8, 2}, {3, 3}};
+  CHECK(make_domain(input).has_value());
+  input.polylines = {{{{0, 0}, {10, 0}}, "a"}};
+  says(input, "out of the polyline");
+  input.polylines = {{{{2, 2}, {8, 8}}, "a"}, {{{8, 8}, {2, 2}}, "b"}};
+  says(input, "Remove one of them.");
+  input.polylines = {{{{2, 5}, {8, 5}}, "a"}};
+  input.points = {{{5, 5}, "probe"}};
+  says(input, "Make it a point of that polyline instead.");
+  input.polylines[0].points = {{2, 5}, {5, 5}, {8, 5}};
+  CHECK(make_domain(input).has_value());
+  input.points = {{{5, 0}, "probe"}};
+  says(input, "Make it a corner of that edge's loop instead.");
+  says(regions_of({{rectangle(0, 0, 1, 1)}, {rectangle(1, 0, 2, 2)}}), "the same two end points");
+}
+
+TEST_CASE("of two tags of one edge that of the first region is kept, with a word") {
+  auto input = regions_of({{rectangle(0, 0, 1, 1)}, {rectangle(1, 0, 2, 1)}});
+  const auto tagged = [&](const std::string& one, const std::string& two) {
+    input.regions[0].tags = {{"", one, "", ""}};
+    input.regions[1].tags = {{"", "", "", two}};
+    return make_domain(input);
+  };
+  const auto domain = tagged("interface", "contact");
+  REQUIRE(domain.has_value());
+  REQUIRE(domain->warnings.size() == 1);
+  const Warning& warning = domain->warnings[0];
+  INFO(warning.message);
+  CHECK(warning.code == ErrorCode::ignored);
+  CHECK(warning.message.find("\"contact\" of edge 3 of loop 0 of region 1") != std::string::npos);
+  CHECK(warning.message.find("edge 1 of loop 0 of region 0") != std::string::npos);
+  CHECK(warning.message.find("\"interface\" is kept") != std::string::npos);
+  CHECK(warning.where.region == 1);
+  CHECK(warning.where.edge == 3);
+  for (const Segment& s : domain->segments)
+    if (s.right != none) CHECK(domain->tags[s.tag] == "interface");
+  CHECK(tagged("interface", "interface")->warnings.empty());
+  CHECK(tagged("interface", "")->warnings.empty());
+  CHECK(tagged("", "contact")->warnings.empty());
+  // Limited, as all warnings of one kind.
+  Loop top, bottom;
+  for (int i = 0; i <= 30; ++i) {
+    top.push_back({i * 1.0, 0});
+    bottom.push_back({i * 1.0, 0});
+  }
+  top.push_back({30, 30});
+  bottom.push_back({30, -30});
+  input = regions_of({{top}, {bottom}});
+  input.regions[0].tags = {std::vector<std::string>(32, "a")};
+  input.regions[1].tags = {std::vector<std::string>(32, "b")};
+  const auto many = make_domain(input);
+  REQUIRE(many.has_value());
+  REQUIRE(many->warnings.size() == 21);
+  CHECK(many->warnings.back().message == "And 10 more of this kind.");
 }
 
 TEST_CASE("points lie strictly inside or on a corner") {

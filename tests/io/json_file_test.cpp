@@ -3,6 +3,7 @@
 #include "io/domain/json_domain.h"
 #include "io/mesh/mesh_format.h"
 #include "io/surface/surface_format.h"
+#include "support/domain_data.h"
 #include "support/domain_files.h"
 
 using namespace lpq;
@@ -69,6 +70,59 @@ TEST_CASE("a key that looks like one that is missing gets a word") {
   const std::vector<Warning> few = warnings_of(many);
   REQUIRE(few.size() == 21);
   CHECK(few.back().message == "And 980 more of this kind.");
+}
+
+TEST_CASE("a key that holds points or a size gets a word, and notes do not") {
+  check_warning(square + ", \"holes\": [[[0.2,0.2],[0.4,0.2],[0.4,0.4]]]",
+                "\"holes\" is not known and was ignored; holes are further loops of \"loops\".");
+  check_warning("\"regions\": [{" + square + ", \"Hole\": [[[0.2,0.2]]]}]", "further loops");
+  for (const char* key : {"outer", "boundary", "vertices", "elements", "edges", "nodes", "x"}) {
+    INFO(key);
+    for (const char* value : {"[[0,0],[1,0]]", "[0,0,1,0,1,1]", "[{\"x\": 0}]", "{\"a\": [[0,1]]}"})
+      check_warning(square + ", \"" + key + "\": " + value,
+                    "\"" + std::string(key) + "\" is not known and was ignored.");
+    for (const char* value : {"[]", "[\"a\", \"b\"]", "[0,0,1,1]", "{\"a\": [0,0,1,0,1,1,0,1]}",
+                              "5", "true", "null", "\"a\"", "{\"a\": 1, \"b\": {}}"}) {
+      INFO(value);
+      CHECK(warnings_of(square + ", \"" + key + "\": " + value).empty());
+    }
+  }
+  check_warning(square + ", \"H\": 0.5", "did you mean \"h\"?");
+  for (const char* key : {"hmax", "mesh_size", "lc", "size"})
+    check_warning(square + ", \"h\": 1, \"" + key + "\": 0.5", "the size of the mesh is \"h\".");
+  for (const char* key : {"h", "size", "H"})
+    check_warning("\"regions\": [{" + square + ", \"" + key + "\": 0.1}]",
+                  "\"sizes\" of the document");
+  check_warning(square + ", \"points\": [{\"position\": [0.5,0.5], \"h\": 0.1}]", "\"sizes\" of");
+  check_warning(square + ", \"points\": [], \"Points\": [[0.5,0.5]]",
+                "\"Points\" is not known and was ignored.");
+  CHECK(warnings_of("\n\"holes\":\n[\n[[0,0]]], " + square)[0].where.line == 2);
+  for (const char* key :
+       {"meta", "metadata", "properties", "comments", "_mesh", "$defs", "warnings"}) {
+    INFO(key);
+    CHECK(warnings_of(square + ", \"" + key + "\": {\"a\": [[0,0],[1,1]], \"h\": [{}]}").empty());
+    CHECK(warnings_of(square + ", \"" + key + "\": [{\"where\": {\"x\": 1}}]").empty());
+  }
+  // Many notes do not hide what the document has.
+  std::string points = square + ", \"points\": [";
+  for (int i = 0; i < 2000; ++i)
+    points += (i == 0 ? "" : ",") + std::string("{\"position\": [0.5,0.5], \"id\": 1}");
+  check_warning(points + "], \"holes\": [[[0,0]]]", "\"holes\"");
+  const std::string endless(100000, 'k');
+  CHECK(warnings_of(square + ", \"" + endless + "\": [[0,0]]")[0].message.size() < 200);
+}
+
+TEST_CASE("no domain at hand has a key that gets a word") {
+  for (const char* folder : {"polygons", "invalid", "../domains"}) {
+    for (const auto& path : shared_domains(folder)) {
+      const auto file = read_domain_file(path.string(), read_text(path));
+      if (!file) continue;
+      for (const Warning& warning : file->warnings) {
+        INFO(path << " " << warning.message);
+        CHECK(warning.message.find("not known") == std::string::npos);
+      }
+    }
+  }
 }
 
 TEST_CASE("tags and guides that do not fit are the file's fault") {

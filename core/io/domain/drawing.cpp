@@ -93,7 +93,8 @@ std::string place_text(Vec2 p) { return "(" + number_text(p.x) + ", " + number_t
 std::string open_end_text(const Drawing& drawing, const std::vector<Index>& degree, Index p,
                           Index own, double tolerance) {
   std::string text = "The outline is open at " + place_text(drawing.lines.points[p]) +
-                     ": nothing else ends within " + short_number(tolerance) + " of it";
+                     ": nothing else ends " +
+                     (tolerance > 0 ? "within " + short_number(tolerance) + " of it" : "there");
   const double end = nearest_end(drawing, degree, p, own), line = nearest_line(drawing.lines, p);
   if (end < HUGE_VAL) text += "; the nearest other open end is " + short_number(end) + " away";
   if (line <= tolerance) {

@@ -102,6 +102,8 @@ bool Reader::begin_value(Kind kind, const char* found) {
          path() + " should be " + wanted + ", but it is " + std::string(found) + ".");
     return false;
   }
+  if (role == Role::ignored)
+    members_.add_unknown(kind, frames_.back().is_array ? frames_.back().count : 0);
   return true;
 }
 
@@ -194,7 +196,7 @@ void Reader::create(Role role) {
 
 bool Reader::close() {
   const Frame frame = std::move(frames_.back());
-  members_.close();
+  members_.close(text_);
   if (frame.role == Role::point && !frame.is_array && !has_position_) {
     fail(ErrorCode::parse_error, "A point is missing its \"position\": [x, y].");
     return false;

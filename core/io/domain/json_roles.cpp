@@ -34,7 +34,7 @@ constexpr Member members[] = {{Role::document, "loops", Role::loop_list},
 }  // namespace
 
 std::string likely_key(Role parent, const std::string& key) {
-  if (parent == Role::document && key == "size") return "h";
+  if (parent == Role::document && (key == "size" || key == "H")) return "h";
   std::vector<std::string> known;
   for (const Member& member : members)  // any letter is one slip away from "h"
     if (member.parent == parent && member.role != Role::size) known.emplace_back(member.key);
