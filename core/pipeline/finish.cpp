@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 #include "base/fields.h"
+#include "base/function_ref.h"
 #include "base/hash.h"
 #include "base/words.h"
 #include "geometry/box.h"
@@ -54,6 +56,32 @@ double gap_at(const OutputMesh& mesh, Vec2 place) {
   }
   const double gap = distance(first, second);
   return gap < nothing * longer_side(box_of(mesh.points)) ? gap : 0;
+}
+
+bool has_short_side(const std::vector<Vec2>& points, const Face& quad, double share) {
+  double least = HUGE_VAL, greatest = 0;
+  for (int k = 0; k < 4; ++k) {
+    const double side = squared_length(points[quad[k]] - points[quad[(k + 1) % 4]]);
+    least = std::min(least, side);
+    greatest = std::max(greatest, side);
+  }
+  return least < share * share * greatest;
+}
+
+void tell_quads(const OutputMesh& mesh, const std::string& what,
+                FunctionRef<bool(const Face&)> is_poor, std::vector<Warning>& warnings) {
+  Index count = 0;
+  Vec2 first;
+  for (const Face& face : mesh.faces)
+    if (corner_count(face) == 4 && is_poor(face) && count++ == 0)
+      first = centre_of(mesh.points, face);
+  if (count == 0) return;
+  warnings.push_back({ErrorCode::bad_size,
+                      "Quads with " + what + ": " + std::to_string(count) +
+                          ". The first has an angle or an edge of the boundary beside it that is "
+                          "small for the size. Mend it, or use a smaller size.",
+                      {}});
+  warnings.back().where.set_point(first.x, first.y);
 }
 
 }  // namespace
@@ -139,22 +167,20 @@ std::vector<Warning> tell_triangles(const OutputMesh& mesh) {
   return warnings;
 }
 
-std::vector<Warning> tell_thin_quads(const OutputMesh& mesh) {
-  constexpr double thin = 0.01;  // eta
-  Index count = 0;
-  Vec2 first;
-  for (const Face& face : mesh.faces)
-    if (corner_count(face) == 4 && face_eta(mesh.points, face) < thin && count++ == 0)
-      first = centre_of(mesh.points, face);
-  if (count == 0) return {};
-  Warning warning{ErrorCode::bad_size,
-                  "Quads with a corner that is all but straight or closed (eta below " +
-                      short_number(thin) + "): " + std::to_string(count) +
-                      ". The first has an angle or an edge of the boundary beside it that is small "
-                      "for the size. Mend it, or use a smaller size.",
-                  {}};
-  warning.where.set_point(first.x, first.y);
-  return {warning};
+std::vector<Warning> tell_poor_quads(const OutputMesh& mesh) {
+  constexpr double thin = 0.01, vanished = 0.01;  // eta; of the longest side
+  std::vector<Warning> warnings;
+  const auto is_thin = [&](const Face& face) { return face_eta(mesh.points, face) < thin; };
+  tell_quads(mesh,
+             "a corner that is all but straight or closed (eta below " + short_number(thin) + ")",
+             is_thin, warnings);
+  // eta sees angles only
+  const auto is_short = [&](const Face& face) {
+    return !is_thin(face) && has_short_side(mesh.points, face, vanished);
+  };
+  tell_quads(mesh, "a side shorter than " + short_number(vanished) + " of the longest", is_short,
+             warnings);
+  return warnings;
 }
 
 SizeFidelity size_fidelity(const QuadMesh& mesh, const Fields& fields) {

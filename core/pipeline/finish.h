@@ -27,8 +27,9 @@ Error no_valid_mesh(const OutputMesh& mesh, const std::vector<Violation>& violat
 /// count.
 std::vector<Warning> tell_triangles(const OutputMesh& mesh);
 
-/// Of quads that are convex by rounding or little more: how many, and where the first is.
-std::vector<Warning> tell_thin_quads(const OutputMesh& mesh);
+/// Of quads that are convex by rounding or little more, or triangles but for a side next to
+/// nothing: how many, and where the first is.
+std::vector<Warning> tell_poor_quads(const OutputMesh& mesh);
 
 /// Achieved edge length over the target at the edge's midpoint.
 SizeFidelity size_fidelity(const QuadMesh& mesh, const Fields& fields);

@@ -279,7 +279,7 @@ Result<Stage> Mesher::check() {
   report_.size = size_fidelity(quads_, prepared_->fields);
   report_.hash = output_hash(output_);
   Candidate candidate{quads_, output_, report_};
-  for (const Warning& warning : tell_thin_quads(output_))
+  for (const Warning& warning : tell_poor_quads(output_))
     candidate.report.warnings.push_back(warning);
   if (options_.elements == Elements::one_triangle)
     for (const Warning& warning : tell_triangles(output_))

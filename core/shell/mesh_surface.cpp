@@ -13,6 +13,7 @@
 #include "shell/check.h"
 #include "shell/place.h"
 #include "shell/rounds.h"
+#include "surface/normals.h"
 #include "surface/repair_warnings.h"
 #include "surface/size_field.h"
 
@@ -119,6 +120,12 @@ class SurfaceMesher::Run {
       area += 0.5 * length(cross(surface().points[b] - surface().points[a],
                                  surface().points[c] - surface().points[a]));
     h = options_.size > 0 ? options_.size : default_size(area);
+    if (const double across = bounding_diagonal(surface().points); h > across)
+      outcome_.report.warnings.push_back(
+          {ErrorCode::adapted,
+           "The mesh size " + short_number(h) + " is larger than the whole surface, which is " +
+               short_number(across) + " across; a smaller one was taken. Check the unit of length.",
+           {}});
     const std::vector<double> plain(surface().points.size(), h);
     features_ = find_features(surface(), plain,
                               {.angle = options_.feature_angle, .groups = options_.keep_groups});

@@ -132,6 +132,19 @@ void warn_of_distance(std::span<const double> size, ShellOutcome& outcome) {
        {}});
 }
 
+/// Where features, borders or sheets beside each other have asked for much smaller quads.
+void warn_of_smaller_sizes(ShellOutcome& outcome) {
+  constexpr double much_smaller = 0.5;
+  ShellReport& report = outcome.report;
+  if (report.feature_edges == 0 || report.size.p50 >= much_smaller) return;
+  report.warnings.push_back({ErrorCode::adapted,
+                             "Half of the edges are shorter than " + short_number(report.size.p50) +
+                                 " of the size asked for: what has to be kept lies closer "
+                                 "together. With a larger feature "
+                                 "angle fewer edges are kept.",
+                             {}});
+}
+
 }  // namespace
 
 void summarise(const SurfaceFeatures& features, const SurfaceCrossField& cross,
@@ -148,6 +161,7 @@ void summarise(const SurfaceFeatures& features, const SurfaceCrossField& cross,
   report.bodies = reports_of_bodies(outcome);
   report.hash = hash_of(outcome.mesh);
   warn_of_distance(size, outcome);
+  warn_of_smaller_sizes(outcome);
   warn_of_thin_quads(outcome);
   if (report.quality.nonconvex > 0)
     report.warnings.push_back(bent_quads(outcome.mesh, report.quality.nonconvex));

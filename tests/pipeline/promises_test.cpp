@@ -314,10 +314,18 @@ TEST_CASE("a quad that is convex by rounding alone is told of, and where it is")
   OutputMesh mesh;
   mesh.points = {{0, 0}, {1, -1e-9}, {2, 0}, {1, 1}, {1, 2}, {0, 2}};
   mesh.faces = {{0, 1, 2, 3}, {0, 3, 4, 5}};
-  const std::vector<Warning> told = tell_thin_quads(mesh);
+  const std::vector<Warning> told = tell_poor_quads(mesh);
   REQUIRE(told.size() == 1);
   CHECK(told[0].code == ErrorCode::bad_size);
   CHECK((told[0].where.has_point && told[0].where.x == 1));
   mesh.points[1].y = -0.5;
-  CHECK(tell_thin_quads(mesh).empty());
+  CHECK(tell_poor_quads(mesh).empty());
+  // Angles do not show it: a rectangle of 1 x 0.005.
+  mesh.faces.pop_back();
+  mesh.points[2] = {1, 0.005};
+  mesh.points[1] = {1, 0};
+  mesh.points[3] = {0, 0.005};
+  const std::vector<Warning> flat = tell_poor_quads(mesh);
+  REQUIRE(flat.size() == 1);
+  CHECK(flat[0].message.find("shorter than 0.01 of the longest") != std::string::npos);
 }

@@ -219,6 +219,32 @@ TEST_CASE("the final check finds what is wrong with a mesh, and where") {
   CHECK(check_places(fallen.points, fallen.faces, 1e-12).empty());
 }
 
+TEST_CASE("sizes that are not taken are told of") {
+  const auto said = [](const SurfaceSoup& soup, const SurfaceOptions& options, const char* words) {
+    for (const Warning& warning : meshed(soup, options).report.warnings)
+      if (warning.code == ErrorCode::adapted && warning.message.find(words) != std::string::npos)
+        return true;
+    return false;
+  };
+  const SurfaceSoup box = box_soup({1, 1, 1}, 2);
+  CHECK(said(box, {.size = 25.4}, "larger than the whole surface"));
+  CHECK_FALSE(said(box, {.size = 1}, "larger than the whole surface"));
+  SurfaceSoup roofs;  // creases 1 apart
+  constexpr Index ridges = 16;
+  for (Index i = 0; i <= ridges; ++i)
+    for (Index j = 0; j <= ridges; ++j)
+      roofs.points.push_back({1.0 * i, 1.0 * j, i % 2 == 0 ? 0.0 : 1.0});
+  for (Index i = 0; i < ridges; ++i)
+    for (Index j = 0; j < ridges; ++j) {
+      const Index corner = i * (ridges + 1) + j, next = corner + ridges + 1;
+      roofs.triangles.push_back({corner, next, next + 1});
+      roofs.triangles.push_back({corner, next + 1, corner + 1});
+    }
+  CHECK(said(roofs, {.size = 8}, "lies closer together"));
+  CHECK_FALSE(said(roofs, {.size = 1}, "lies closer together"));
+  CHECK_FALSE(said(box, {.size = 0.25}, "lies closer together"));
+}
+
 TEST_CASE("surfaces that cannot be meshed are refused in words") {
   CHECK(mesh_surface({}).error().code == ErrorCode::empty);
   const auto large = mesh_surface(soup_of(plane_square(2)), {.size = 1e-5});
@@ -284,7 +310,9 @@ TEST_CASE("a size larger than a body leaves its edges and corners") {
     CHECK(outcome->report.faces == 6);
     CHECK(outcome->mesh.faces.size() == 6);
     CHECK(outcome->report.distance.from_surface.max < 1e-9);
-    CHECK(outcome->report.warnings.empty());
+    const bool is_beyond = size > std::sqrt(3.0);
+    REQUIRE(outcome->report.warnings.size() == (is_beyond ? 1 : 0));
+    if (is_beyond) CHECK(outcome->report.warnings[0].code == ErrorCode::adapted);
   }
   SurfaceSoup triangle;
   triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
