@@ -160,6 +160,16 @@ TEST_CASE("bent quads go through each other only if they do with both diagonals"
   CHECK(bent.crossings().size() == 1);
 }
 
+TEST_CASE("where the walls of a surface are thinner than its quads cut off, quads get smaller") {
+  const ShellOutcome thin = meshed(thin_dome(0.005), {.size = 0.2});
+  CHECK(thin.report.rounds > 1);
+  CHECK(shell_topology(thin.mesh.faces).border_edges == 0);
+  CHECK(mesh_crossings(thin.surface, thin.mesh).empty());
+  CHECK(told(thin).empty());
+  const ShellOutcome thick = meshed(thin_dome(0.1), {.size = 0.2});
+  CHECK(thick.report.rounds == 1);
+}
+
 TEST_CASE("crossings that are left are told") {
   const ShellOutcome outcome = meshed(thin_dome(2e-4), {.size = 0.3});
   const std::vector<Crossing> crossings = mesh_crossings(outcome.surface, outcome.mesh);
