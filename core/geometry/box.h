@@ -51,6 +51,16 @@ inline void extend(Box3& box, Vec3 p) {
   box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y), std::max(box.hi.z, p.z)};
 }
 
+inline void extend(Box3& box, const Box3& other) {
+  extend(box, other.lo);
+  extend(box, other.hi);
+}
+
+inline bool overlap(const Box3& a, const Box3& b) {
+  return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y &&
+         a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
+}
+
 inline bool is_empty(const Box3& box) { return box.lo.x > box.hi.x; }
 
 inline double diagonal(const Box3& box) { return length(box.hi - box.lo); }

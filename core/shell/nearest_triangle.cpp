@@ -3,14 +3,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
-
-#include "base/check.h"
+#include <vector>
 
 namespace lpq {
 namespace {
-
-constexpr Index leaf_size = 4;
 
 Vec3 nearest_on_edge(Vec3 p, Vec3 a, Vec3 b) {
   const Vec3 along = b - a;
@@ -19,17 +15,21 @@ Vec3 nearest_on_edge(Vec3 p, Vec3 a, Vec3 b) {
   return a + std::clamp(dot(p - a, along) / whole, 0.0, 1.0) * along;
 }
 
-double coordinate(Vec3 p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
-
-int longest_axis(Vec3 extent) {
-  if (extent.x >= extent.y && extent.x >= extent.z) return 0;
-  return extent.y >= extent.z ? 1 : 2;
-}
-
 double squared_distance(const Box3& box, Vec3 p) {
   return squared_length({std::max({0.0, box.lo.x - p.x, p.x - box.hi.x}),
                          std::max({0.0, box.lo.y - p.y, p.y - box.hi.y}),
                          std::max({0.0, box.lo.z - p.z, p.z - box.hi.z})});
+}
+
+SpaceTree tree_over(std::span<const Vec3> points, std::span<const Tri> triangles) {
+  std::vector<Box3> boxes;
+  std::vector<Vec3> centres;
+  for (const Tri& triangle : triangles) {
+    const auto [a, b, c] = triangle;
+    boxes.push_back(box_of(points, triangle));
+    centres.push_back((1.0 / 3) * (points[a] + points[b] + points[c]));
+  }
+  return {boxes, centres};
 }
 
 }  // namespace
@@ -48,41 +48,7 @@ Vec3 nearest_in_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
 }
 
 NearestTriangle::NearestTriangle(std::span<const Vec3> points, std::span<const Tri> triangles)
-    : points_(points), triangles_(triangles) {
-  LPQ_ASSERT(!triangles.empty());
-  for (const auto& [a, b, c] : triangles)
-    centre_.push_back((1.0 / 3) * (points[a] + points[b] + points[c]));
-  order_.resize(triangles.size());
-  std::iota(order_.begin(), order_.end(), 0);
-  build(0, static_cast<Index>(order_.size()));
-  centre_ = {};
-}
-
-Index NearestTriangle::build(Index first, Index last) {
-  Node node{box_of(first, last), first, last - first, none, none};
-  if (node.count > leaf_size) {
-    const int axis = longest_axis(node.box.hi - node.box.lo);
-    const Index middle = first + node.count / 2;
-    // With a total order the halves are the same wherever this runs.
-    std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
-                     [&](Index s, Index t) {
-                       const double x = coordinate(centre_[s], axis);
-                       const double y = coordinate(centre_[t], axis);
-                       return x < y || (x == y && s < t);
-                     });
-    node.left = build(first, middle);
-    node.right = build(middle, last);
-  }
-  nodes_.push_back(node);
-  return static_cast<Index>(nodes_.size()) - 1;
-}
-
-Box3 NearestTriangle::box_of(Index first, Index last) const {
-  Box3 box;
-  for (Index i = first; i < last; ++i)
-    for (const Index v : triangles_[order_[i]]) extend(box, points_[v]);
-  return box;
-}
+    : points_(points), triangles_(triangles), tree_(tree_over(points, triangles)) {}
 
 void NearestTriangle::look_at(Vec3 p, Index triangle, Hit& best) const {
   const auto [a, b, c] = triangles_[triangle];
@@ -95,18 +61,18 @@ void NearestTriangle::look_at(Vec3 p, Index triangle, Hit& best) const {
 NearestTriangle::Hit NearestTriangle::find(Vec3 p, Index hint) const {
   Hit best{none, {}, std::numeric_limits<double>::infinity()};
   look_at(p, hint, best);
-  Index stack[64];  // halves: one waiting node per level
+  Index stack[SpaceTree::most_waiting];
   int height = 0;
-  stack[height++] = static_cast<Index>(nodes_.size()) - 1;
+  stack[height++] = tree_.root();
   while (height > 0) {
-    const Node& node = nodes_[stack[--height]];
+    const SpaceTree::Node& node = tree_.node(stack[--height]);
     if (squared_distance(node.box, p) > best.squared_distance) continue;
     if (node.left == none) {
-      for (Index i = node.first; i < node.first + node.count; ++i) look_at(p, order_[i], best);
+      for (const Index t : tree_.items(node)) look_at(p, t, best);
       continue;
     }
-    const double left = squared_distance(nodes_[node.left].box, p);
-    const double right = squared_distance(nodes_[node.right].box, p);
+    const double left = squared_distance(tree_.node(node.left).box, p);
+    const double right = squared_distance(tree_.node(node.right).box, p);
     stack[height++] = left < right ? node.right : node.left;
     stack[height++] = left < right ? node.left : node.right;  // looked at first
   }

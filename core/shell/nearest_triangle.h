@@ -1,12 +1,10 @@
-// The point of a heap of triangles that is nearest to a given one: a tree of boxes, cut in halves
-// at medians.
+// The point of a heap of triangles that is nearest to a given one.
 #pragma once
 
 #include <span>
-#include <vector>
 
-#include "geometry/box.h"
 #include "mesh/tri_mesh.h"
+#include "shell/space_tree.h"
 
 namespace lpq {
 
@@ -29,20 +27,11 @@ class NearestTriangle {
   double distance(Vec3 p, Index& hint) const;
 
  private:
-  struct Node {
-    Box3 box;
-    Index first = 0, count = 0;  // of order_, for leaves
-    Index left = none, right = none;
-  };
-  Index build(Index first, Index last);
-  Box3 box_of(Index first, Index last) const;
   void look_at(Vec3 p, Index triangle, Hit& best) const;
 
   std::span<const Vec3> points_;
   std::span<const Tri> triangles_;
-  std::vector<Vec3> centre_;  // #T  while building
-  std::vector<Index> order_;  // #T
-  std::vector<Node> nodes_;   // the root last
+  SpaceTree tree_;
 };
 
 }  // namespace lpq

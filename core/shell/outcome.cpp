@@ -6,6 +6,7 @@
 #include "base/function_ref.h"
 #include "base/hash.h"
 #include "base/words.h"
+#include "shell/crossings.h"
 #include "shell/place.h"
 #include "shell/quality.h"
 #include "shell/shape/descent.h"
@@ -145,6 +146,22 @@ void warn_of_smaller_sizes(ShellOutcome& outcome) {
                              {}});
 }
 
+/// The place is one of the mesh alone, if there is any.
+void warn_of_crossings(ShellOutcome& outcome) {
+  const std::vector<Crossing> crossings = mesh_crossings(outcome.surface, outcome.mesh);
+  if (crossings.empty()) return;
+  const Crossing* first = &crossings[0];
+  for (const Crossing& crossing : crossings)
+    if (first->given && !crossing.given) first = &crossing;
+  outcome.report.warnings.push_back(
+      {ErrorCode::no_valid_mesh,
+       "Pairs of quads that go through each other: " + std::to_string(crossings.size()) +
+           ", the first near " + place_in_space(first->at.x, first->at.y, first->at.z) +
+           (first->given ? ". The surface goes through itself there: repair it."
+                         : ". Use a smaller size there, or repair the surface."),
+       {}});
+}
+
 }  // namespace
 
 void summarise(const SurfaceFeatures& features, const SurfaceCrossField& cross,
@@ -163,6 +180,7 @@ void summarise(const SurfaceFeatures& features, const SurfaceCrossField& cross,
   warn_of_distance(size, outcome);
   warn_of_smaller_sizes(outcome);
   warn_of_thin_quads(outcome);
+  warn_of_crossings(outcome);
   if (report.quality.nonconvex > 0)
     report.warnings.push_back(bent_quads(outcome.mesh, report.quality.nonconvex));
 }

@@ -3,6 +3,7 @@
 
 #include "base/words.h"
 #include "shell/check.h"
+#include "shell/crossings.h"
 #include "shell/place.h"
 #include "shell/topology.h"
 #include "surface/corners.h"
@@ -101,19 +102,36 @@ std::optional<Error> ChartRounds::end_round(MeshedCharts made) {
 
 /// Another round where the mesh is too coarse, with this one kept: for as long as that helps.
 void ChartRounds::refine_doubts() {
-  const auto doubts = faults_at(check_places(mesh_.points, mesh_.faces,
-                                             one_point * bounding_diagonal(cut_.surface.points),
-                                             most_doubtful, bodies_at(cut_.surface, mesh_.places)));
-  if (kept_ && doubts.size() >= kept_->doubts) {
+  auto doubts = faults_at(check_places(mesh_.points, mesh_.faces,
+                                       one_point * bounding_diagonal(cut_.surface.points),
+                                       most_doubtful, bodies_at(cut_.surface, mesh_.places)));
+  const std::size_t places = doubts.size();
+  // Very many: the size is too coarse all over, and that is the caller's wish. But no faces may go
+  // through each other.
+  if (places == most_doubtful) doubts.clear();
+  const double crossings = add_crossings(doubts);
+  if (kept_ && (crossings > kept_->crossings ||
+                (crossings == kept_->crossings && places >= kept_->places))) {
     take_kept();
     return;
   }
-  if (doubts_ == most_doubts || round_ == most_rounds) return;
-  // Very many: the size is too coarse all over, and that is the caller's wish.
-  if (doubts.empty() || doubts.size() == most_doubtful) return;
+  if (doubts_ == most_doubts || round_ == most_rounds || doubts.empty()) return;
   ++doubts_;
-  kept_ = {mesh_, size_, cut_.features, lines_, curves_, nodes_, doubts.size()};
+  kept_ = {mesh_, size_, cut_.features, lines_, curves_, nodes_, crossings, places};
   (void)try_again(doubts);
+}
+
+/// Both sides of every crossing that the surface has not. How many there are for each face: smaller
+/// ones have more neighbours.
+double ChartRounds::add_crossings(std::vector<Fault>& doubts) const {
+  double count = 0;
+  for (const Crossing& crossing : mesh_crossings(cut_.surface, mesh_)) {
+    if (crossing.given) continue;
+    for (const Index f : crossing.faces)
+      doubts.push_back({{}, mesh_.places[mesh_.faces[f][0]], {}});
+    ++count;
+  }
+  return count / static_cast<double>(mesh_.faces.size());
 }
 
 std::vector<Fault> ChartRounds::faults_of(std::vector<ChartFailure>& failures) const {
@@ -138,7 +156,8 @@ std::optional<Error> ChartRounds::try_again(const std::vector<Fault>& faults) {
   if (round_ == 1) divide_tips();
   if (round_ > 1) keep_vertices(faults);
   if (round_ == most_rounds || has_grown() ||
-      !make_smaller(cut_.surface, faults, round_ > local_rounds, growth_of(options_), size_))
+      !make_smaller(cut_.surface, faults, round_ > local_rounds, growth_of(options_), size_) ||
+      (kept_ && surface_capacity(cut_.surface, size_) > options_.max_elements))
     return take_kept() ? std::nullopt : std::optional(failed(faults.front()));
   ++round_;
   done_ = false;

@@ -53,6 +53,7 @@ class ChartRounds {
   std::optional<Error> start_round();
   std::optional<Error> end_round(MeshedCharts made);
   void refine_doubts();
+  double add_crossings(std::vector<Fault>& doubts) const;
   std::vector<Fault> faults_of(std::vector<ChartFailure>& failures) const;
   std::vector<Fault> faults_at(const std::vector<Violation>& violations) const;
   std::optional<Error> try_again(const std::vector<Fault>& faults);
@@ -79,7 +80,8 @@ class ChartRounds {
     SurfaceFeatures features, lines;
     SurfaceCurves curves;
     CurveMesh nodes;
-    std::size_t doubts = 0;  // places where it is too coarse
+    double crossings = 0;    // of its own, for each face
+    std::size_t places = 0;  // where it is too coarse
   };
   std::optional<Kept> kept_;  // good enough, while a better one is tried
   int doubts_ = 0;            // rounds for meshes that were too coarse in places
