@@ -19,6 +19,7 @@ constexpr double default_growth = 0.3;
 constexpr Index most_rounds = 12, local_rounds = 3;
 // A mesh that is only too coarse in places is good enough after so many.
 constexpr int most_doubts = 2;
+constexpr double most_left = 0.8;  // of the crossings per face, or smaller sizes do not help
 // Room for more quads than at first by so much: smaller sizes are not what the surface lacks.
 constexpr double most_growth = 8, some_quads = 2000;
 constexpr double one_point = 1e-12;                           // of the diagonal
@@ -110,19 +111,24 @@ void ChartRounds::refine_doubts() {
   // through each other.
   if (places == most_doubtful) doubts.clear();
   const double crossings = add_crossings(doubts);
-  if (kept_ && (crossings > kept_->crossings ||
-                (crossings == kept_->crossings && places >= kept_->places))) {
-    take_kept();
+  const bool better = !kept_ || crossings < kept_->crossings ||
+                      (crossings == kept_->crossings && places < kept_->places);
+  // Smaller faces cross more others: there may be more at first on the way to none.
+  const auto per_face = [](double count, const ShellMesh& mesh) {
+    return count / static_cast<double>(mesh.faces.size());
+  };
+  const bool helps =
+      better || per_face(crossings, mesh_) < most_left * per_face(kept_->crossings, kept_->mesh);
+  if (!helps || doubts_ == most_doubts || round_ == most_rounds || doubts.empty()) {
+    if (!better) take_kept();
     return;
   }
-  if (doubts_ == most_doubts || round_ == most_rounds || doubts.empty()) return;
   ++doubts_;
-  kept_ = {mesh_, size_, cut_.features, lines_, curves_, nodes_, crossings, places};
+  if (better) kept_ = {mesh_, size_, cut_.features, lines_, curves_, nodes_, crossings, places};
   (void)try_again(doubts);
 }
 
-/// Both sides of every crossing that the surface has not. How many there are for each face: smaller
-/// ones have more neighbours.
+/// Both sides of every crossing that the surface has not; returns their number.
 double ChartRounds::add_crossings(std::vector<Fault>& doubts) const {
   double count = 0;
   for (const Crossing& crossing : mesh_crossings(cut_.surface, mesh_)) {
@@ -131,7 +137,7 @@ double ChartRounds::add_crossings(std::vector<Fault>& doubts) const {
       doubts.push_back({{}, mesh_.places[mesh_.faces[f][0]], {}});
     ++count;
   }
-  return count / static_cast<double>(mesh_.faces.size());
+  return count;
 }
 
 std::vector<Fault> ChartRounds::faults_of(std::vector<ChartFailure>& failures) const {

@@ -80,7 +80,7 @@ class ChartRounds {
     SurfaceFeatures features, lines;
     SurfaceCurves curves;
     CurveMesh nodes;
-    double crossings = 0;    // of its own, for each face
+    double crossings = 0;    // that the surface has not
     std::size_t places = 0;  // where it is too coarse
   };
   std::optional<Kept> kept_;  // good enough, while a better one is tried
