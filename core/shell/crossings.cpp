@@ -121,9 +121,9 @@ void find_later(const SpaceTree& tree, std::span<const Box3> boxes, Index f,
 
 }  // namespace
 
-std::vector<Crossing> find_crossings(std::span<const Vec3> points, std::span<const Face> faces,
-                                     std::span<const Index> body, std::size_t limit) {
-  std::vector<Crossing> crossings;
+std::vector<FaceCrossing> find_crossings(std::span<const Vec3> points, std::span<const Face> faces,
+                                         std::span<const Index> body, std::size_t limit) {
+  std::vector<FaceCrossing> crossings;
   if (faces.empty()) return crossings;
   std::vector<Box3> boxes;
   std::vector<Vec3> centres;
@@ -145,17 +145,17 @@ std::vector<Crossing> find_crossings(std::span<const Vec3> points, std::span<con
   return crossings;
 }
 
-std::vector<Crossing> mesh_crossings(const SurfaceMesh& surface, const ShellMesh& mesh) {
-  std::vector<Crossing> crossings =
+std::vector<FaceCrossing> mesh_crossings(const SurfaceMesh& surface, const ShellMesh& mesh) {
+  std::vector<FaceCrossing> crossings =
       find_crossings(mesh.points, mesh.faces, bodies_at(surface, mesh.places), most_crossings);
   if (crossings.empty()) return crossings;
   const std::vector<Face> triangles = faces_of(surface.triangles);
-  for (const Crossing& given :
+  for (const FaceCrossing& given :
        find_crossings(surface.points, triangles, surface.body, most_crossings)) {
     const auto [s, t] = given.faces;
     const Box3 of_s = box_of(surface.points, triangles[s]);
     const Box3 of_t = box_of(surface.points, triangles[t]);
-    for (Crossing& crossing : crossings) {
+    for (FaceCrossing& crossing : crossings) {
       Box3 box;
       for (const Index f : crossing.faces) extend(box, box_of(mesh.points, mesh.faces[f]));
       if (overlap(box, of_s) && overlap(box, of_t)) crossing.given = true;

@@ -12,7 +12,7 @@
 
 namespace lpq {
 
-struct Crossing {
+struct FaceCrossing {
   std::array<Index, 2> faces{none, none};  // ascending
   Vec3 at;                                 // in both
   bool given = false;                      // the surface goes through itself there, too
@@ -23,11 +23,11 @@ struct Crossing {
 /// diagonals they are bent along. Not looked at: pairs that share a vertex, those of different
 /// bodies, which may fit into each other (`body`: #V, or empty for one), and faces of hardly any
 /// width. At most `limit`, ascending. Cost O(#F log #F) if faces are near a few others only.
-std::vector<Crossing> find_crossings(std::span<const Vec3> points, std::span<const Face> faces,
-                                     std::span<const Index> body, std::size_t limit);
+std::vector<FaceCrossing> find_crossings(std::span<const Vec3> points, std::span<const Face> faces,
+                                         std::span<const Index> body, std::size_t limit);
 
 /// Of the mesh, at most 10,000; `given` if the boxes of a crossing pair of the surface reach there.
 /// Cost: that of find_crossings() for the mesh and, if it has any, for the surface.
-std::vector<Crossing> mesh_crossings(const SurfaceMesh& surface, const ShellMesh& mesh);
+std::vector<FaceCrossing> mesh_crossings(const SurfaceMesh& surface, const ShellMesh& mesh);
 
 }  // namespace lpq

@@ -148,10 +148,10 @@ void warn_of_smaller_sizes(ShellOutcome& outcome) {
 
 /// The place is one of the mesh alone, if there is any.
 void warn_of_crossings(ShellOutcome& outcome) {
-  const std::vector<Crossing> crossings = mesh_crossings(outcome.surface, outcome.mesh);
+  const std::vector<FaceCrossing> crossings = mesh_crossings(outcome.surface, outcome.mesh);
   if (crossings.empty()) return;
-  const Crossing* first = &crossings[0];
-  for (const Crossing& crossing : crossings)
+  const FaceCrossing* first = &crossings[0];
+  for (const FaceCrossing& crossing : crossings)
     if (first->given && !crossing.given) first = &crossing;
   outcome.report.warnings.push_back(
       {ErrorCode::no_valid_mesh,

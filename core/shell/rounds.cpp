@@ -131,7 +131,7 @@ void ChartRounds::refine_doubts() {
 /// Both sides of every crossing that the surface has not; returns their number.
 double ChartRounds::add_crossings(std::vector<Fault>& doubts) const {
   double count = 0;
-  for (const Crossing& crossing : mesh_crossings(cut_.surface, mesh_)) {
+  for (const FaceCrossing& crossing : mesh_crossings(cut_.surface, mesh_)) {
     if (crossing.given) continue;
     for (const Index f : crossing.faces)
       doubts.push_back({{}, mesh_.places[mesh_.faces[f][0]], {}});

@@ -34,7 +34,7 @@ struct Faces {
         faces.push_back({a, a + 1, a + n + 2, a + n + 1});
       }
   }
-  std::vector<Crossing> crossings(std::size_t limit = 1000) const {
+  std::vector<FaceCrossing> crossings(std::size_t limit = 1000) const {
     return find_crossings(points, faces, {}, limit);
   }
 };
@@ -83,7 +83,7 @@ TEST_CASE("sheets through each other are counted, pair by pair") {
   Faces sheets;
   sheets.add_sheet({0, 0, 0}, {4, 0, 0}, {0, 4, 0}, 4);
   sheets.add_sheet({0.5, 1.5, -2.3}, {3, 0, 0}, {0, 0, 4}, 1);  // stands in one row of it
-  const std::vector<Crossing> found = sheets.crossings();
+  const std::vector<FaceCrossing> found = sheets.crossings();
   REQUIRE(found.size() == 4);
   for (Index k = 0; k < 4; ++k) {
     CHECK(found[k].faces == std::array<Index, 2>{4 + k, 16});
@@ -172,9 +172,9 @@ TEST_CASE("where the walls of a surface are thinner than its quads cut off, quad
 
 TEST_CASE("crossings that are left are told") {
   const ShellOutcome outcome = meshed(thin_dome(2e-4), {.size = 0.3});
-  const std::vector<Crossing> crossings = mesh_crossings(outcome.surface, outcome.mesh);
+  const std::vector<FaceCrossing> crossings = mesh_crossings(outcome.surface, outcome.mesh);
   REQUIRE_FALSE(crossings.empty());
-  for (const Crossing& crossing : crossings) CHECK_FALSE(crossing.given);
+  for (const FaceCrossing& crossing : crossings) CHECK_FALSE(crossing.given);
   CHECK(told(outcome).find(": " + std::to_string(crossings.size()) + ", the first near (") !=
         std::string::npos);
   CHECK(told(outcome).find("smaller size") != std::string::npos);
@@ -189,8 +189,8 @@ TEST_CASE("a surface that goes through itself is not what smaller quads mend") {
     soup.triangles.push_back({a + shift, b + shift, c + shift});
   const ShellOutcome outcome = meshed(soup, {.size = 0.2});
   CHECK(outcome.report.rounds == 1);
-  const std::vector<Crossing> crossings = mesh_crossings(outcome.surface, outcome.mesh);
+  const std::vector<FaceCrossing> crossings = mesh_crossings(outcome.surface, outcome.mesh);
   REQUIRE_FALSE(crossings.empty());
-  for (const Crossing& crossing : crossings) CHECK(crossing.given);
+  for (const FaceCrossing& crossing : crossings) CHECK(crossing.given);
   CHECK(told(outcome).find("The surface goes through itself there") != std::string::npos);
 }
