@@ -66,12 +66,13 @@ void EdgePairs::find_bundles(std::span<const Vec2> points, std::span<const Index
   }
 }
 
-void EdgePairs::each_near(Index e, FunctionRef<void(Index)> visit) const {
+void EdgePairs::each_near(Index e, FunctionRef<void(Index)> visit, double reach) const {
   const auto [a, b] = edges_[e];
   tree_.walk(
       [&, a = a, b = b](Index node, const Box& box) {
         const Index hub = hub_[node];
-        return overlap(box, boxes_[e]) && (hub == none || (hub != a && hub != b));
+        return squared_distance(box, boxes_[e]) <= reach * reach &&
+               (hub == none || (hub != a && hub != b));
       },
       visit);
   for (const Index bundle : {bundle_[2 * e], bundle_[2 * e + 1]})

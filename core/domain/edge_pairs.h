@@ -20,10 +20,10 @@ class EdgePairs {
   /// Edges between two different points. Cost O(n log n).
   EdgePairs(std::span<const Vec2> points, std::vector<Ends> edges);
 
-  /// Visits every edge that meets edge e other than in a common end, and others near it; some
-  /// twice, perhaps e itself. Of edges that have a vertex of many edges in common only those that
-  /// lie on each other are visited.
-  void each_near(Index e, FunctionRef<void(Index)> visit) const;
+  /// Visits every edge that meets edge e other than in a common end or comes as near as `reach`,
+  /// and others near it; some twice, perhaps e itself. Of edges that have a vertex of many edges in
+  /// common only those that lie on each other are visited.
+  void each_near(Index e, FunctionRef<void(Index)> visit, double reach = 0) const;
 
  private:
   void build_tree(std::span<const Vec2> points, std::span<const Index> degree);

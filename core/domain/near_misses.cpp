@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "base/few_warnings.h"
+#include "base/sort_numbers.h"
 #include "base/words.h"
 #include "domain/box_tree.h"
+#include "domain/edge_pairs.h"
 #include "domain/outline.h"
 #include "geometry/predicates.h"
 #include "geometry/segment.h"
@@ -25,59 +27,64 @@ struct Approach {
 
 class NearMisses {
  public:
-  explicit NearMisses(Domain& domain);
+  explicit NearMisses(Domain& domain)
+      : domain_(domain), ends_(ends_of(domain)), pairs_(domain.points, ends_) {
+    sort_values(ends_);
+  }
   Problem judge();
 
  private:
-  void gather(Index i);
+  using Ends = EdgePairs::Ends;
+
+  static std::vector<Ends> ends_of(const Domain& domain);
+  std::vector<Index> near(Index i) const;
   Problem compare(Index i, Index j);
-  Problem judge_point(Index v);
+  Problem judge_points();
+  Problem judge_point(Index v, const BoxTree& tree) const;
   Approach approach(const Segment& s, const Segment& t) const;
   bool run_along(const Segment& s, const Segment& t, double gap) const;
   Index facing(const Segment& s, Vec2 q) const;
-  bool share_end(Index i, Index j) const;
+  bool are_joined(const Segment& s, const Segment& t) const;
   std::string name(const Segment& s) const;
   std::string apart(double gap) const;
   Where where(const Segment& s, Vec2 at) const;
   Vec2 at(Index v) const { return domain_.points[v]; }
 
   Domain& domain_;
-  BoxTree tree_;
-  std::vector<char> on_segment_;  // #P
-  std::vector<Index> near_,
-      beside_;  // of the segment that is looked at: without and with a common end
+  std::vector<Ends> ends_;  // of the segments, the smaller first; sorted
+  EdgePairs pairs_;
   FewWarnings warnings_;
 };
 
-NearMisses::NearMisses(Domain& domain) : domain_(domain), on_segment_(domain.points.size(), 0) {
-  std::vector<Box> boxes;
-  boxes.reserve(domain.segments.size());
-  for (const Segment& s : domain.segments) {
-    boxes.push_back(box_of(at(s.a), at(s.b)));
-    on_segment_[s.a] = on_segment_[s.b] = 1;
-  }
-  tree_ = BoxTree(boxes);
+std::vector<NearMisses::Ends> NearMisses::ends_of(const Domain& domain) {
+  std::vector<Ends> ends;
+  ends.reserve(domain.segments.size());
+  for (const Segment& s : domain.segments) ends.push_back({std::min(s.a, s.b), std::max(s.a, s.b)});
+  return ends;
 }
 
-bool NearMisses::share_end(Index i, Index j) const {
-  const Segment &s = domain_.segments[i], &t = domain_.segments[j];
-  return s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b;
+/// By a common end, or a segment between their ends: around a short one its neighbours come near.
+bool NearMisses::are_joined(const Segment& s, const Segment& t) const {
+  for (const Index v : {s.a, s.b})
+    for (const Index w : {t.a, t.b})
+      if (v == w ||
+          std::binary_search(ends_.begin(), ends_.end(), Ends{std::min(v, w), std::max(v, w)}))
+        return true;
+  return false;
 }
 
-void NearMisses::gather(Index i) {
+/// Later segments that segment i may run along.
+std::vector<Index> NearMisses::near(Index i) const {
   const Segment& s = domain_.segments[i];
   const double along = distance(at(s.a), at(s.b)) / lengths_to_gap;
-  const double reach = std::max(no_room, std::min(widest_hair, along));
-  const Box box = box_of(at(s.a), at(s.b));
-  near_.clear();
-  beside_.clear();
-  tree_.walk([&](Index, const Box& other) { return squared_distance(box, other) <= reach * reach; },
-             [&](Index j) {
-               if (j != i && share_end(i, j))
-                 beside_.push_back(j);
-               else if (j > i)
-                 near_.push_back(j);
-             });
+  std::vector<Index> found;
+  pairs_.each_near(
+      i,
+      [&](Index j) {
+        if (j > i) found.push_back(j);
+      },
+      std::max(no_room, std::min(widest_hair, along)));
+  return found;
 }
 
 // They do not meet, so that one of the two points is an end.
@@ -136,11 +143,9 @@ Where NearMisses::where(const Segment& s, Vec2 place) const {
 }
 
 Problem NearMisses::compare(Index i, Index j) {
-  // Around a short edge its neighbours come near to each other.
-  for (const Index k : beside_)
-    if (share_end(k, j)) return {};
   const Segment &s = domain_.segments[i], &t = domain_.segments[j];
   const auto [gap, p, q] = approach(s, t);
+  if (gap > widest_hair || are_joined(s, t)) return {};
   const Index inside = facing(s, q);
   if (gap < no_room && inside != none && facing(t, p) == inside)
     return Error{ErrorCode::touching,
@@ -149,7 +154,7 @@ Problem NearMisses::compare(Index i, Index j) {
                  where(s, p)};
   const bool two_regions = s.region != none && t.region != none && s.region != t.region;
   const bool across_nothing = inside == none && facing(t, p) == none;
-  if (gap > widest_hair || !two_regions || !across_nothing || !run_along(s, t, gap)) return {};
+  if (!two_regions || !across_nothing || !run_along(s, t, gap)) return {};
   warnings_.add({ErrorCode::touching,
                  "Along " + name(s) + " and " + name(t) + " two regions are only " + apart(gap) +
                      " apart, and not joined. If they are to be joined, give both edges the same "
@@ -158,9 +163,9 @@ Problem NearMisses::compare(Index i, Index j) {
   return {};
 }
 
-Problem NearMisses::judge_point(Index v) {
+Problem NearMisses::judge_point(Index v, const BoxTree& tree) const {
   Index wall = none;
-  tree_.walk(
+  tree.walk(
       [&](Index, const Box& box) {
         return squared_distance(box, Box{at(v), at(v)}) <= no_room * no_room;
       },
@@ -176,15 +181,24 @@ Problem NearMisses::judge_point(Index v) {
                where(domain_.segments[wall], at(v))};
 }
 
-Problem NearMisses::judge() {
-  for (Index i = 0; i < static_cast<Index>(domain_.segments.size()); ++i) {
-    gather(i);
-    for (const Index j : near_)
-      if (Problem problem = compare(i, j)) return problem;
-  }
+Problem NearMisses::judge_points() {
+  std::vector<char> on_segment(domain_.points.size(), 0);
+  for (const Segment& s : domain_.segments) on_segment[s.a] = on_segment[s.b] = 1;
+  if (std::find(on_segment.begin(), on_segment.end(), 0) == on_segment.end()) return {};
+  std::vector<Box> boxes;
+  for (const Segment& s : domain_.segments) boxes.push_back(box_of(at(s.a), at(s.b)));
+  const BoxTree tree(boxes);
   for (Index v = 0; v < static_cast<Index>(domain_.points.size()); ++v)
-    if (!on_segment_[v])
-      if (Problem problem = judge_point(v)) return problem;
+    if (!on_segment[v])
+      if (Problem problem = judge_point(v, tree)) return problem;
+  return {};
+}
+
+Problem NearMisses::judge() {
+  for (Index i = 0; i < static_cast<Index>(domain_.segments.size()); ++i)
+    for (const Index j : near(i))
+      if (Problem problem = compare(i, j)) return problem;
+  if (Problem problem = judge_points()) return problem;
   for (Warning& warning : warnings_.take()) domain_.warnings.push_back(std::move(warning));
   return {};
 }
