@@ -16,9 +16,12 @@
 #include "shell/quality.h"
 #include "shell/shape/cover.h"
 #include "shell/shape/freedom.h"
+#include "shell/shape/mend.h"
 #include "shell/shape/outside.h"
+#include "shell/shape/refills.h"
 #include "shell/shape/short_sides.h"
 #include "shell/shape/smoother.h"
+#include "shell/topology.h"
 #include "support/optimise_shape.h"
 #include "support/surface_meshes.h"
 #include "support/surface_shapes.h"
@@ -318,6 +321,44 @@ TEST_CASE("a straight corner that cannot move gets other quads") {
   CHECK(stats.refilled > 0);
   CHECK(stats.tangled_after == 0);
   CHECK(shell_quality(mesh).eta_min > 0.4);
+}
+
+TEST_CASE("a straight corner of a strip one quad wide shares its place with another quad") {
+  // Five edges above, three below: nothing but the connectivity can mend the quad in the middle.
+  SurfaceSoup soup;
+  soup.points = {{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {0, 1, 0}};
+  soup.triangles = {{0, 1, 2}, {0, 2, 3}};
+  Meshed meshed(soup, 0.9);
+  ShellMesh& mesh = meshed.mesh();
+  mesh = {};
+  for (const double x : {0., 1., 2., 3.}) mesh.points.push_back({x, 0, 0});
+  for (const double x : {0., 1., 1.35, 1.7, 2.2, 3.}) mesh.points.push_back({x, 1, 0});
+  for (const Vec3& p : mesh.points)  // above the diagonal lies the second triangle
+    mesh.places.push_back(p.x > 3 * p.y ? SurfacePlace{0, {1 - p.x / 3, p.x / 3 - p.y, p.y}}
+                                        : SurfacePlace{1, {1 - p.y, p.x / 3, p.y - p.x / 3}});
+  mesh.faces = {{0, 1, 5, 4}, {1, 7, 6, 5}, {1, 2, 8, 7}, {2, 3, 9, 8}};
+  const bool mirrored = GENERATE(false, true);
+  if (mirrored)  // the neighbour that is divided too lies on the other side
+    mesh.faces = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 8, 7, 6}, {2, 3, 9, 8}};
+  mesh.face.assign(mesh.faces.size(), 0);
+  mesh.pins.assign(mesh.points.size(), Pin::line);
+  for (const Index v : {0, 3, 4, 9}) mesh.pins[v] = Pin::corner;
+  mesh.edges = {{0, 1}, {0, 4}, {1, 2}, {2, 3}, {3, 9}, {4, 5}, {5, 6}, {6, 7}, {7, 8}, {8, 9}};
+  mesh.sides.assign(mesh.edges.size(), {0, none});
+  const Charted charted = meshed.charted();
+  const ShapeGround ground(charted);
+  const std::vector<VertexRole> fixed(mesh.points.size(), {.kind = VertexRole::Kind::fixed});
+  const ShapePatch patch = take_patch(mesh, fixed, faces_at_vertices(mesh), {0, 1, 2, 3});
+  CHECK(signed_eta(ground, mesh, mirrored ? 2 : 1) < 0.1);
+  double best = -1;
+  for (ShapePatch& refill : refills(ground, patch, mirrored ? 2 : 1)) {
+    const double worst = smooth_patch(ground, {}, refill).worst;
+    if (worst <= best) continue;
+    best = worst;
+    CHECK(shell_topology(refill.mesh.faces).euler == 1);
+    CHECK(std::equal(mesh.points.begin(), mesh.points.end(), refill.mesh.points.begin()));
+  }
+  CHECK(best > 0.4);
 }
 
 TEST_CASE("a quad that is nearest to the other side of a sheet is turned") {

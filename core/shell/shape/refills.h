@@ -1,7 +1,7 @@
 // Small changes of the connectivity around one quad of a patch, for when no position of the
-// vertices makes it good: a diagonal collapsed, an edge turned, a vertex opened, a ring of quads
-// put inside the quad. Edges on features stay, and so do vertices on them and on the rim of the
-// patch.
+// vertices makes it good: a diagonal collapsed, an edge turned, a vertex opened, a straight corner
+// on a feature shared with a second quad, a ring of quads put inside the quad. Edges on features
+// stay, and so do vertices on them and on the rim of the patch.
 #pragma once
 
 #include <vector>
