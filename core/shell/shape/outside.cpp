@@ -10,7 +10,7 @@
 namespace lpq {
 namespace {
 
-// Flatness above which no quad can be turned.
+// Flatness above which the normals at the corners say whether a quad is turned.
 constexpr double flat_enough = 0.9;
 // Weights in triangles below are taken for zero.
 constexpr double on_side = 1e-9;
@@ -98,9 +98,11 @@ double Outside::flatness(const ShellMesh& mesh, Index f) const {
 
 bool Outside::is_turned(const ShellMesh& mesh, Index f) const {
   const Face& face = mesh.faces[f];
-  if (face[3] == none || flatness(mesh, f) > flat_enough) return false;
+  if (face[3] == none) return false;
   const auto corner = [&](int k) { return mesh.points[face[k]]; };
   const Vec3 normal = cross(corner(2) - corner(0), corner(3) - corner(1));
+  const Vec3 mean = mean_normal(mesh, f);
+  if (length(mean) > flat_enough) return dot(normal, mean) < 0;
   const Vec3 middle = 0.25 * (corner(0) + corner(1) + corner(2) + corner(3));
   int away = looks_away(middle, normal, mesh.places[face[0]].triangle);
   for (int k = 0; k < 4; ++k)

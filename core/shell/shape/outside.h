@@ -22,9 +22,9 @@ class Outside {
   /// Length of that mean: 1 where the surface is flat, less the more it bends from corner to
   /// corner.
   double flatness(const ShellMesh& mesh, Index f) const;
-  /// A quad that looks against the surface nearest to it, at most of five points, although it looks
-  /// the same way as the surface does at its corners: where the surface is thinner than the quad,
-  /// these may lie on two sides of it. Cost O(log #T) where the surface bends.
+  /// A quad that looks against the surface: by the mean normal at its corners where that says all;
+  /// where the surface bends, or is thinner than the quad, so that its corners may lie on two sides
+  /// of it, by the surface nearest to it at most of five points. Cost O(log #T) there.
   bool is_turned(const ShellMesh& mesh, Index f) const;
 
   /// The same place in that triangle of this face of the surface which lies most in direction `way`
