@@ -69,18 +69,24 @@ std::uint64_t hash_of(const ShellMesh& mesh) {
   return hash.value();
 }
 
-/// Told of quads for which `is_bad` holds.
+/// `first` of `count` quads.
 void warn_of_quads(ShellOutcome& outcome, ErrorCode code, const std::string& what,
-                   const std::string& remedy, FunctionRef<bool(Index)> is_bad) {
-  Index count = 0, first = none;
-  for (Index f = 0; f < static_cast<Index>(outcome.mesh.faces.size()); ++f)
-    if (corner_count(outcome.mesh.faces[f]) == 4 && is_bad(f) && count++ == 0) first = f;
+                   const std::string& remedy, Index count, Index first) {
   if (count == 0) return;
   const Vec3 at = outcome.mesh.points[outcome.mesh.faces[first][0]];
   outcome.report.warnings.push_back({code,
                                      what + ": " + std::to_string(count) + ", the first near " +
                                          place_in_space(at.x, at.y, at.z) + ". " + remedy,
                                      {}});
+}
+
+/// Told of quads for which `is_bad` holds.
+void warn_of_quads(ShellOutcome& outcome, ErrorCode code, const std::string& what,
+                   const std::string& remedy, FunctionRef<bool(Index)> is_bad) {
+  Index count = 0, first = none;
+  for (Index f = 0; f < static_cast<Index>(outcome.mesh.faces.size()); ++f)
+    if (corner_count(outcome.mesh.faces[f]) == 4 && is_bad(f) && count++ == 0) first = f;
+  warn_of_quads(outcome, code, what, remedy, count, first);
 }
 
 /// Of narrow strips and folds of the surface, mostly.
@@ -111,11 +117,11 @@ void warn_of_bent_quads(const SurfaceFeatures& features, std::span<const double>
                   const auto [a, b, c, d] = corners_of(mesh, f);
                   return has_reflex_corner(a, b, c, d);
                 });
-  const Outside outside(outcome.surface, features, size);
+  const std::vector<Index> turned = Outside(outcome.surface, features, size).turned_quads(mesh);
   warn_of_quads(outcome, ErrorCode::no_valid_mesh, "Quads that look against the surface",
                 "The mesh folds over itself there, where the surface is thin or bends within a "
                 "quad. Use a smaller size there, or repair the surface.",
-                [&](Index f) { return outside.is_turned(mesh, f); });
+                static_cast<Index>(turned.size()), turned.empty() ? none : turned[0]);
 }
 
 Index nearest_vertex(const ShellMesh& mesh, Vec3 p) {

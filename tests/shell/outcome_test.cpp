@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "catch.h"
+#include "numerics/elementary.h"
 #include "shell/quality.h"
 #include "support/meshed_surface.h"
 #include "support/surface_meshes.h"
@@ -66,6 +67,19 @@ SurfaceSoup boxes_with_a_wall_between() {
   return soup;
 }
 
+/// A pipe and, in the same place, the wall of a hole that it fills, divided elsewhere.
+SurfaceSoup pipe_in_its_hole() {
+  SurfaceSoup soup = soup_of(cylinder(96, 4, 1, 2));
+  const auto first = static_cast<Index>(soup.points.size());
+  const SinCos t = sin_cos(0.1 * turn / 96);
+  const SurfaceSoup pipe = soup;
+  for (const Vec3 p : pipe.points)
+    soup.points.push_back({t.cos * p.x - t.sin * p.y, t.sin * p.x + t.cos * p.y, p.z});
+  for (const auto& [a, b, c] : pipe.triangles)
+    soup.triangles.push_back({a + first, c + first, b + first});
+  return soup;
+}
+
 }  // namespace
 
 TEST_CASE("quads that are turned over are told of, although each is a good quad") {
@@ -82,6 +96,8 @@ TEST_CASE("walls in one place, thin sheets and sharp edges are no folds") {
   const ShellOutcome boxes = meshed(boxes_with_a_wall_between(), {.size = 0.2});
   CHECK(boxes.surface.triangle_count() == 24);  // the wall is there twice
   CHECK(told(boxes).empty());
+  for (const double size : {1.0, 1.2, 1.4})
+    CHECK(told(meshed(pipe_in_its_hole(), {.size = size})).empty());
   CHECK(told(meshed(box_soup({1, 1, 0.001}, 1), {.size = 0.2})).empty());
   SurfaceSoup wedge = box_soup({2, 2, 0.1}, 1);
   for (Vec3& p : wedge.points) p.z *= p.x;
