@@ -16,13 +16,6 @@ namespace {
 
 constexpr int steps_before = 20;  // of smoothing, before the local operations
 
-void add(const TopologyStats& topology, CleanupStats& stats) {
-  stats.diamonds += topology.diamonds;
-  stats.rotations += topology.rotations;
-  stats.splits += topology.splits;
-  stats.boundary_repairs += topology.boundary_repairs;
-}
-
 Index count_invalid(const QuadMesh& mesh) { return static_cast<Index>(invalid_faces(mesh).size()); }
 
 // With fewer, nearly every corner is fixed, and tries are for nothing.
@@ -37,15 +30,15 @@ DiskPatterns& kept_patterns(PatternSet set) {
 // Doublets, positions, and where these do not suffice new connectivity: until all faces are valid.
 void make_valid(CleanupResult& result, const Fields& fields) {
   QuadTopology doublets(std::move(result.mesh));
-  result.stats.doublets += remove_doublets(doublets);
+  remove_doublets(doublets);
   result.mesh = std::move(doublets).compact();
-  result.stats.untangled += untangle(result.mesh);
+  untangle(result.mesh);
   if (count_invalid(result.mesh) == 0) return;
   QuadTopology topology(std::move(result.mesh));
   const IdealValence ideal(topology);
-  add(repair_invalid(topology, ideal, fields, kept_patterns(PatternSet::repair)), result.stats);
+  repair_invalid(topology, ideal, fields, kept_patterns(PatternSet::repair));
   result.mesh = std::move(topology).compact();
-  result.stats.untangled += untangle(result.mesh);
+  untangle(result.mesh);
 }
 
 // Fewer irregular vertices. The shapes are smoothed first, so that what a refill would do to them
@@ -56,7 +49,7 @@ void make_regular(CleanupResult& result, const Fields& fields, SmoothOptions smo
   smooth_eta(result.mesh, fields, smoothing);
   QuadTopology topology(std::move(result.mesh));
   const IdealValence ideal(topology);
-  add(regularise(topology, ideal, fields, kept_patterns(PatternSet::regular)), result.stats);
+  regularise(topology, ideal, fields, kept_patterns(PatternSet::regular));
   result.mesh = std::move(topology).compact();
 }
 
@@ -65,13 +58,13 @@ void mend_shapes(CleanupResult& result, const Fields& fields) {
   if (result.mesh.faces.size() < fewest_faces) return;
   QuadTopology topology(std::move(result.mesh));
   const IdealValence ideal(topology);
-  add(mend_flat(topology, ideal, fields, kept_patterns(PatternSet::repair)), result.stats);
+  mend_flat(topology, ideal, fields, kept_patterns(PatternSet::repair));
   result.mesh = std::move(topology).compact();
 }
 
 void cut_what_is_left(CleanupResult& result) {
   QuadTopology topology(std::move(result.mesh));
-  result.stats.splits += cut_darts(topology);
+  cut_darts(topology);
   result.mesh = std::move(topology).compact();
 }
 

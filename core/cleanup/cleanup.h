@@ -20,8 +20,6 @@ struct CleanupOptions {
 };
 
 struct CleanupStats {
-  Index doublets = 0, diamonds = 0, rotations = 0, splits = 0, boundary_repairs = 0;
-  Index untangled = 0;
   Index still_invalid = 0;  // faces that are not strictly convex; 0 is the goal
 };
 

@@ -76,6 +76,5 @@ int in_circle_exact(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 }
 
 int orient2d(Vec2 a, Vec2 b, Vec2 c) { return orient2d_inline(a, b, c); }
-int in_circle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) { return in_circle_inline(a, b, c, d); }
 
 }  // namespace lpq

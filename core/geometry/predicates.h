@@ -1,4 +1,4 @@
-// Exact signs of the two predicates that decide topology: a floating filter, then expansion
+// The exact sign of an orientation, which decides topology: a floating filter, then expansion
 // arithmetic [Shewchuk 1997]. Exact for all finite inputs whose products neither overflow nor
 // underflow, which the unit frame (geometry/frame.h) guarantees.
 #pragma once
@@ -9,8 +9,5 @@ namespace lpq {
 
 /// +1 if a, b, c turn left (counter-clockwise), -1 if right, 0 if exactly collinear.
 int orient2d(Vec2 a, Vec2 b, Vec2 c);
-
-/// For counter-clockwise a, b, c: +1 if d is strictly inside their circle, -1 outside, 0 cocircular.
-int in_circle(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 
 }  // namespace lpq

@@ -1,6 +1,7 @@
-// The predicates of geometry/predicates.h with their floating filters inline, for the loops that
-// ask millions of times. The filter compares the rounded determinant with Shewchuk's forward error
-// bound; only when the bound cannot tell is the exact function called.
+// The two predicates that decide topology, as exact as in geometry/predicates.h, with their
+// floating filters inline, for the loops that ask millions of times. The filter compares the
+// rounded determinant with Shewchuk's forward error bound; only when the bound cannot tell is the
+// exact function called.
 #pragma once
 
 #include "geometry/vec.h"
@@ -28,6 +29,8 @@ inline int orient2d_inline(Vec2 a, Vec2 b, Vec2 c) {
   return orient2d_exact(a, b, c);
 }
 
+/// For counter-clockwise a, b, c: +1 if d is strictly inside their circle, -1 outside, 0
+/// cocircular.
 inline int in_circle_inline(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const double ax = a.x - d.x, ay = a.y - d.y;
   const double bx = b.x - d.x, by = b.y - d.y;

@@ -251,14 +251,4 @@ std::vector<Violation> validate(const QuadMesh& mesh, const ExpectedBoundary& bo
   return found.take();
 }
 
-std::vector<Violation> validate_topology(const QuadMesh& mesh, const ExpectedBoundary& boundary,
-                                         std::size_t limit) {
-  Findings found(limit);
-  check_numbers(mesh, boundary, found);
-  if (!found.empty()) return found.take();
-  check_given_points(mesh, boundary.points, found);
-  check_vertices(mesh, boundary, found);
-  return found.take();
-}
-
 }  // namespace lpq

@@ -37,11 +37,6 @@ struct ExpectedBoundary {
 std::vector<Violation> validate(const QuadMesh& mesh, const ExpectedBoundary& boundary,
                                 std::size_t limit = 10);
 
-/// The part of the above that does not depend on where the free vertices are: edges, fans,
-/// boundary, walls and use of vertices, for meshes that still wait for smoothing.
-std::vector<Violation> validate_topology(const QuadMesh& mesh, const ExpectedBoundary& boundary,
-                                         std::size_t limit = 10);
-
 /// Twins reciprocal, triangles counter-clockwise, regions set, free vertices inside one fan.
 std::vector<Violation> validate(const TriMesh& mesh, std::size_t limit = 10);
 

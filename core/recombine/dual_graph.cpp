@@ -56,7 +56,6 @@ void add_extra_edges(const TriMesh& mesh, const Fans& fans, DualGraph& graph) {
     graph.edges.push_back({t, s, extra_edge_cost + valence_cost(fan, 2)});
     graph.source.push_back(f);
   }
-  graph.extras = static_cast<Index>(graph.edges.size()) - graph.merges;
 }
 
 /// What a triangle costs that is left over, by its own shape.

@@ -19,10 +19,10 @@ enum class Leave {
 };
 
 struct DualGraph {
-  Index nodes = 0;               // triangles first
-  std::vector<CostEdge> edges;   // merges, then extra edges, then edges of other nodes
-  std::vector<Index> source;     // half-edge of a merge, fan of an extra edge
-  Index merges = 0, extras = 0;  // number of edges of these kinds
+  Index nodes = 0;              // triangles first
+  std::vector<CostEdge> edges;  // merges, then extra edges, then edges of other nodes
+  std::vector<Index> source;    // half-edge of a merge, fan of an extra edge
+  Index merges = 0;             // number of these
 };
 
 /// Leaving triangles is written by doubling: two copies of the graph, and an edge of twice the

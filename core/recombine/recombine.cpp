@@ -78,7 +78,7 @@ RecombineResult recombine(const TriMesh& mesh, const Fields& fields,
                           const RecombineOptions& options) {
   RecombineResult result;
   TriMesh triangulation = mesh;
-  result.flips = prepare_corners(triangulation);
+  prepare_corners(triangulation);
   Solved solved = options.all_quads ? solve_all_quads(triangulation, fields, options)
                                     : solve(triangulation, fields, options, Leave::where_cheaper);
   result.splits = (triangulation.triangle_count() - mesh.triangle_count()) / 2;

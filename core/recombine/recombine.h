@@ -28,7 +28,6 @@ struct RecombineResult {
   QuadMesh mesh;
   Index extra_edges = 0;  // chosen extra edges, each repaired by one new vertex
   Index triangles = 0;    // left over
-  Index flips = 0;        // before the matching, for wall vertices short of triangles
   std::int64_t cost = 0;  // of the matching
   Index splits = 0;       // triangles split in three to make a perfect matching possible
   // keep_matching: what was matched. Nodes 0 .. #T-1 of the graph are the triangles; further nodes

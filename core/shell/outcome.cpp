@@ -10,6 +10,7 @@
 #include "shell/place.h"
 #include "shell/quality.h"
 #include "shell/shape/descent.h"
+#include "shell/shape/outside.h"
 #include "shell/shape/short_sides.h"
 #include "shell/topology.h"
 #include "surface/curves.h"
@@ -68,29 +69,24 @@ std::uint64_t hash_of(const ShellMesh& mesh) {
   return hash.value();
 }
 
-Warning bent_quads(const ShellMesh& mesh, Index count) {
-  const Vec3 at = mesh.points[mesh.faces[first_nonconvex(mesh)][0]];
-  return {ErrorCode::no_valid_mesh,
-          "Not all quads are convex: " + std::to_string(count) + ", the first near " +
-              place_in_space(at.x, at.y, at.z) + ". A smaller size may help.",
-          {}};
+/// `first` of `count` quads.
+void warn_of_quads(ShellOutcome& outcome, ErrorCode code, const std::string& what,
+                   const std::string& remedy, Index count, Index first) {
+  if (count == 0) return;
+  const Vec3 at = outcome.mesh.points[outcome.mesh.faces[first][0]];
+  outcome.report.warnings.push_back({code,
+                                     what + ": " + std::to_string(count) + ", the first near " +
+                                         place_in_space(at.x, at.y, at.z) + ". " + remedy,
+                                     {}});
 }
 
 /// Told of quads for which `is_bad` holds.
-void warn_of_quads(ShellOutcome& outcome, const std::string& what,
-                   FunctionRef<bool(Index)> is_bad) {
+void warn_of_quads(ShellOutcome& outcome, ErrorCode code, const std::string& what,
+                   const std::string& remedy, FunctionRef<bool(Index)> is_bad) {
   Index count = 0, first = none;
   for (Index f = 0; f < static_cast<Index>(outcome.mesh.faces.size()); ++f)
     if (corner_count(outcome.mesh.faces[f]) == 4 && is_bad(f) && count++ == 0) first = f;
-  if (count == 0) return;
-  const Vec3 at = outcome.mesh.points[outcome.mesh.faces[first][0]];
-  outcome.report.warnings.push_back(
-      {ErrorCode::bad_size,
-       "Quads with " + what + ": " + std::to_string(count) + ", the first near " +
-           place_in_space(at.x, at.y, at.z) +
-           ". The surface has a strip or a fold there that is narrow for the size. Mend it, or use "
-           "a smaller size.",
-       {}});
+  warn_of_quads(outcome, code, what, remedy, count, first);
 }
 
 /// Of narrow strips and folds of the surface, mostly.
@@ -101,9 +97,31 @@ void warn_of_thin_quads(ShellOutcome& outcome) {
     const auto [a, b, c, d] = corners_of(mesh, f);
     return quad_eta(a, b, c, d) < thin && !has_reflex_corner(a, b, c, d);
   };
-  warn_of_quads(outcome, "hardly any area (eta below " + short_number(thin) + ")", is_thin);
-  warn_of_quads(outcome, "a side shorter than " + short_number(vanished) + " of the longest",
-                [&](Index f) { return has_short_side(mesh, f, vanished) && !is_thin(f); });
+  const std::string remedy =
+      "The surface has a strip or a fold there that is narrow for the size. Mend it, or use a "
+      "smaller size.";
+  warn_of_quads(outcome, ErrorCode::bad_size,
+                "Quads with hardly any area (eta below " + short_number(thin) + ")", remedy,
+                is_thin);
+  warn_of_quads(outcome, ErrorCode::bad_size,
+                "Quads with a side shorter than " + short_number(vanished) + " of the longest",
+                remedy, [&](Index f) { return has_short_side(mesh, f, vanished) && !is_thin(f); });
+}
+
+/// By the quad's own normal, then by the surface's: one that lies turned over may be a good quad.
+void warn_of_bent_quads(const SurfaceFeatures& features, std::span<const double> size,
+                        ShellOutcome& outcome) {
+  const ShellMesh& mesh = outcome.mesh;
+  warn_of_quads(outcome, ErrorCode::no_valid_mesh, "Not all quads are convex",
+                "A smaller size may help.", [&](Index f) {
+                  const auto [a, b, c, d] = corners_of(mesh, f);
+                  return has_reflex_corner(a, b, c, d);
+                });
+  const std::vector<Index> turned = Outside(outcome.surface, features, size).turned_quads(mesh);
+  warn_of_quads(outcome, ErrorCode::no_valid_mesh, "Quads that look against the surface",
+                "The mesh folds over itself there, where the surface is thin or bends within a "
+                "quad. Use a smaller size there, or repair the surface.",
+                static_cast<Index>(turned.size()), turned.empty() ? none : turned[0]);
 }
 
 Index nearest_vertex(const ShellMesh& mesh, Vec3 p) {
@@ -181,8 +199,7 @@ void summarise(const SurfaceFeatures& features, const SurfaceCrossField& cross,
   warn_of_smaller_sizes(outcome);
   warn_of_thin_quads(outcome);
   warn_of_crossings(outcome);
-  if (report.quality.nonconvex > 0)
-    report.warnings.push_back(bent_quads(outcome.mesh, report.quality.nonconvex));
+  warn_of_bent_quads(features, size, outcome);
 }
 
 }  // namespace lpq

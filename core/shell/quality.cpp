@@ -75,13 +75,6 @@ QuadQuality shell_quality(const ShellMesh& mesh) {
   return quality;
 }
 
-Index first_nonconvex(const ShellMesh& mesh) {
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-    if (corner_count(mesh.faces[f]) == 4 && is_bent(mesh, mesh.faces[f]))
-      return static_cast<Index>(f);
-  return none;
-}
-
 SizeFidelity shell_size_fidelity(const ShellMesh& mesh, std::span<const Tri> surface_triangles,
                                  std::span<const double> size) {
   const auto size_of = [&](Index v) { return size_at(surface_triangles, mesh.places[v], size); };

@@ -14,8 +14,6 @@ double quad_eta(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
 
 /// `nonconvex` counts quads with a corner that is straight or turns against the quad's own normal.
 QuadQuality shell_quality(const ShellMesh& mesh);
-/// The first of these, or none.
-Index first_nonconvex(const ShellMesh& mesh);
 
 /// Edge lengths over the targets at their ends. `size`: #V of the surface.
 SizeFidelity shell_size_fidelity(const ShellMesh& mesh, std::span<const Tri> surface_triangles,

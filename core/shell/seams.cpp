@@ -72,7 +72,7 @@ class SeamFinisher::Run {
     if (pass_ == passes_) return false;
     while (next_ < wanted_.size()) {
       const Index v = wanted_[next_++];
-      if (mesh_.places[v].triangle == none) continue;
+      if (covered_[v] || mesh_.places[v].triangle == none) continue;
       if (pass_ < seam_passes)
         open_window(v, Rework::seam, seam_radius);
       else
@@ -117,6 +117,7 @@ class SeamFinisher::Run {
     for (std::size_t v = 0; v < rim_.size(); ++v)
       if (rim_[v]) wanted_.push_back(static_cast<Index>(v));
     rim_.assign(rim_.size(), 0);
+    covered_.assign(mesh_.points.size(), 0);
   }
 
   /// Free vertices where other than four quads meet.
@@ -127,6 +128,7 @@ class SeamFinisher::Run {
         if (v != none) ++valence[v];
     for (std::size_t v = 0; v < valence.size(); ++v)
       if (mesh_.is_free(v) && valence[v] != 4) wanted_.push_back(static_cast<Index>(v));
+    covered_.assign(mesh_.points.size(), 0);
   }
 
   /// The largest that can be around the vertex.
@@ -149,15 +151,18 @@ class SeamFinisher::Run {
           put_back(*window, quads->fixed, part);
         }
       }
-      const auto is_covered = [&](Index w) {
-        return distance(mesh_.points[w], centre) < covered_share * radius * h &&
-               std::binary_search(ball.triangles.begin(), ball.triangles.end(),
-                                  mesh_.places[w].triangle);
-      };
-      wanted_.erase(std::remove_if(wanted_.begin() + next_, wanted_.end(), is_covered),
-                    wanted_.end());
+      cover(ball, centre, covered_share * radius * h);
       return;
     }
+  }
+
+  /// What the ball has near its centre needs no window of its own in this pass.
+  void cover(const Ball& ball, Vec3 centre, double radius) {
+    covered_.resize(mesh_.points.size(), 0);
+    for (const Index t : ball.triangles)
+      stars_->for_each_vertex_in(t, [&](Index v) {
+        if (distance(mesh_.points[v], centre) < radius) covered_[v] = 1;
+      });
   }
 
   bool is_in_vain() const {
@@ -238,6 +243,7 @@ class SeamFinisher::Run {
   int pass_ = 0;
   std::vector<Index> wanted_;  // vertices that want a window in this pass, ascending
   std::size_t next_ = 0;       // of them
+  std::vector<char> covered_;  // #V  by windows of this pass
   std::vector<char> rim_;      // #V  free vertices on the borders of windows
   std::uint64_t seed_;         // of the search in the next window
   SeamStats stats_;

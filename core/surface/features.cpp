@@ -1,6 +1,5 @@
 #include "surface/features.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "base/check.h"
@@ -15,14 +14,8 @@
 namespace lpq {
 namespace {
 
-Index edge_between(const SurfaceEdges& edges, std::array<Index, 2> ends) {
-  if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
-  const auto at = std::lower_bound(edges.ends.begin(), edges.ends.end(), ends);
-  return at != edges.ends.end() && *at == ends ? static_cast<Index>(at - edges.ends.begin()) : none;
-}
-
 void mark_hard_edges(const SurfaceMesh& mesh, const FeatureOptions& options,
-                     const FeatureMarks& marks, SurfaceFeatures& features) {
+                     SurfaceFeatures& features) {
   const SurfaceEdges& edges = features.edges;
   for (Index i = 0; i < edges.count(); ++i) {
     const auto around = edges.half_edges.row(i);
@@ -32,18 +25,6 @@ void mark_hard_edges(const SurfaceMesh& mesh, const FeatureOptions& options,
                mesh.group[triangle_of(around[0])] != mesh.group[triangle_of(around[1])]) {
       features.kind[i] = FeatureKind::group_border;
     }
-  }
-  for (const auto& ends : marks.sharp) {
-    const Index i = edge_between(edges, ends);
-    if (i != none && features.kind[i] == FeatureKind::smooth)
-      features.kind[i] = FeatureKind::marked;
-  }
-}
-
-void unmark_smooth_edges(const FeatureMarks& marks, SurfaceFeatures& features) {
-  for (const auto& ends : marks.smooth) {
-    const Index i = edge_between(features.edges, ends);
-    if (i != none && features.kind[i] != FeatureKind::wall) features.kind[i] = FeatureKind::smooth;
   }
 }
 
@@ -68,7 +49,7 @@ void number_faces(const SurfaceMesh& mesh, SurfaceFeatures& features) {
 }
 
 SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> given_size,
-                              const FeatureOptions& options, const FeatureMarks& marks) {
+                              const FeatureOptions& options) {
   LPQ_ASSERT(given_size.size() == mesh.points.size());
   // A quad that is larger than what it is of says nothing about what is noise there.
   std::vector<double> size(given_size.begin(), given_size.end());
@@ -76,17 +57,14 @@ SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> g
   SurfaceFeatures features;
   features.edges = surface_edges(mesh.triangles, mesh.vertex_count());
   features.kind.assign(features.edges.ends.size(), FeatureKind::smooth);
-  mark_hard_edges(mesh, options, marks, features);
+  mark_hard_edges(mesh, options, features);
   const std::vector<double> angles = edge_angles(mesh, size, features.edges);
   mark_sharp_edges(angles, options, features);
-  unmark_smooth_edges(marks, features);
   drop_short_chains(mesh, size, angles, options, features);
   // Only now, so that chains divide no others on their way.
   extend_sharp_chains(mesh, angles, options, features);
-  unmark_smooth_edges(marks, features);
   drop_small_heaps(mesh, size, angles, options, features);
   unfold_needles(mesh, size, angles, options, features);
-  unmark_smooth_edges(marks, features);
   number_faces(mesh, features);
   mark_corners(mesh, size, options.corner_angle, features);
   mark_bends(mesh, size, options.bend_angle, features);

@@ -1,7 +1,6 @@
 // The lines that the mesh must follow, the corners it must keep, and the faces between them.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -23,11 +22,6 @@ struct FeatureOptions {
   bool groups = true;          // keep the borders between groups of the file
 };
 
-/// Edges that the caller decides about, as pairs of vertices; wins over angles and groups.
-struct FeatureMarks {
-  std::vector<std::array<Index, 2>> sharp, smooth;
-};
-
 /// Hard kinds come last: they are never filtered.
 enum class FeatureKind : char { smooth, sharp, marked, group_border, wall };
 
@@ -47,7 +41,7 @@ struct SurfaceFeatures {
 };
 
 /// `size` is the mesh size at each vertex (#V, > 0), here a quarter of the bounding diagonal of
-/// what hangs together at most. Walls are features always (marks cannot open them), group borders
+/// what hangs together at most. Walls are features always, group borders
 /// if asked, sharp edges by angle. Short chains of them are noise where the surface beside them is
 /// about as uneven, as it is on scans (see sharp_chains.h), and so are short pieces that become a
 /// long chain when the branches between them are gone. Chains that stand out go on, straight ahead,
@@ -62,7 +56,7 @@ struct SurfaceFeatures {
 /// bends.h), where the faces along a curve change, and where sheets meet in a point only. Faces are
 /// connected across edges that are no features, numbered by first triangle. Cost O(#T log #T).
 SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> size,
-                              const FeatureOptions& options = {}, const FeatureMarks& marks = {});
+                              const FeatureOptions& options = {});
 
 /// The faces between the features, numbered by first triangle. Cost O(#T).
 void number_faces(const SurfaceMesh& mesh, SurfaceFeatures& features);

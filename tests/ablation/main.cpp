@@ -160,12 +160,13 @@ std::vector<Preparation> prepare_all(double refine, int count, char** files) {
   for (int i = 0; i < count; ++i) {
     std::ifstream file(files[i], std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    const auto input = parse_domain_json(text);
-    if (!input) continue;
+    const auto read = read_json_domain(text);
+    if (!read) continue;
+    const DomainInput& input = read->domain;
     const bool keep = refine == 0;
-    const double size = keep ? 0 : diagonal(*input) / refine;
-    auto prepared = prepare(*input, {.size = size, .keep_boundary = keep}, {});
-    if (!prepared && keep) prepared = prepare(*input, {}, {});
+    const double size = keep ? 0 : diagonal(input) / refine;
+    auto prepared = prepare(input, {.size = size, .keep_boundary = keep}, {});
+    if (!prepared && keep) prepared = prepare(input, {}, {});
     if (prepared) result.push_back(std::move(*prepared));
   }
   return result;

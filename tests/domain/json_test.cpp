@@ -9,8 +9,14 @@ using namespace lpq;
 
 namespace {
 
+Result<DomainInput> parse(const std::string& text) {
+  auto file = read_json_domain(text);
+  if (!file) return file.error();
+  return std::move(file->domain);
+}
+
 Error refused(const std::string& text) {
-  const auto input = parse_domain_json(text);
+  const auto input = parse(text);
   REQUIRE_FALSE(input.has_value());
   INFO(input.error().message);
   CHECK(input.error().where.line >= 1);
@@ -27,7 +33,7 @@ bool mentions(const Error& error, const std::string& text) {
 }  // namespace
 
 TEST_CASE("plain loops") {
-  const auto input = parse_domain_json(
+  const auto input = parse(
       "\xEF\xBB\xBF{\"name\": \"x\", \"check\": {\"a\": [null, {\"b\": true}]}, \"h\": 0.5,\r\n"
       " \"loops\": [[[0, 0], [1e0, 0], [0.25, -1.5]]]}");
   REQUIRE(input.has_value());
@@ -40,17 +46,17 @@ TEST_CASE("plain loops") {
 TEST_CASE("tags beside the loops of one region are its tags") {
   for (const char* text : {R"({"loops": [[[0,0],[1,0],[1,1]]], "tags": [["in", "", "out"]]})",
                            R"({"tags": [["in", "", "out"]], "loops": [[[0,0],[1,0],[1,1]]]})"}) {
-    const auto input = parse_domain_json(text);
+    const auto input = parse(text);
     REQUIRE(input.has_value());
     REQUIRE(input->regions.size() == 1);
     REQUIRE(input->regions[0].tags.size() == 1);
     CHECK(input->regions[0].tags[0] == std::vector<std::string>{"in", "", "out"});
   }
-  CHECK(!parse_domain_json(R"({"tags": [["a"]], "regions": [{"loops": [[[0,0],[1,0],[1,1]]]}]})"));
+  CHECK(!parse(R"({"tags": [["a"]], "regions": [{"loops": [[[0,0],[1,0],[1,1]]]}]})"));
 }
 
 TEST_CASE("regions, tags, polylines and points") {
-  const auto input = parse_domain_json(R"({
+  const auto input = parse(R"({
     "regions": [{"name": "steel", "loops": [[[0,0],[1,0],[1,1]]], "tags": [["in", "", "out"]]},
                 {"loops": [[[1,0],[2,0],[1,1]]]}],
     "polylines": [{"points": [[0.5,0.1],[0.6,0.2]], "tag": "crack"}],
@@ -65,7 +71,7 @@ TEST_CASE("regions, tags, polylines and points") {
   CHECK(input->points[0].position == Vec2{0.7, 0.1});
   CHECK(input->points[1].tag == "probe");
 
-  const auto again = parse_domain_json(write_domain_json(*input));
+  const auto again = parse(write_domain_json(*input));
   REQUIRE(again.has_value());
   CHECK(again->regions[0].loops == input->regions[0].loops);
   CHECK(again->regions[0].tags == input->regions[0].tags);
@@ -75,15 +81,15 @@ TEST_CASE("regions, tags, polylines and points") {
 }
 
 TEST_CASE("sizes at points and guides") {
-  const auto input = parse_domain_json(R"({"guides": [[[0.1, 0.2], [0.3, 0.4]], [], [[1, 2]]],
+  const auto input = parse(R"({"guides": [[[0.1, 0.2], [0.3, 0.4]], [[1, 2], [3, 4], [5, 5]]],
     "sizes": [[0.5, 0.25, 0.01], [0, 0, 2]], "loops": [[[0,0],[1,0],[1,1]]]})");
   REQUIRE(input.has_value());
   CHECK(input->regions.at(0).loops.at(0).size() == 3);
-  const auto again = parse_domain_json(write_domain_json(*input));
+  const auto again = parse(write_domain_json(*input));
   REQUIRE(again.has_value());
   for (const DomainInput& read : {*input, *again}) {
     using Guides = std::vector<DomainInput::Guide>;
-    CHECK(read.guides == Guides{{{0.1, 0.2}, {0.3, 0.4}}, {}, {{1, 2}}});
+    CHECK(read.guides == Guides{{{0.1, 0.2}, {0.3, 0.4}}, {{1, 2}, {3, 4}, {5, 5}}});
     REQUIRE(read.sizes.size() == 2);
     CHECK(read.sizes[0].position == Vec2{0.5, 0.25});
     CHECK(read.sizes[0].h == 0.01);
@@ -113,11 +119,11 @@ TEST_CASE("wrong kinds of value are named by their path") {
 }
 
 TEST_CASE("points to start from") {
-  const auto input = parse_domain_json(
-      R"({"seedPoints": [[0.5, 0.25], [-0, 2]], "loops": [[[0,0],[1,0],[1,1]]]})");
+  const auto input =
+      parse(R"({"seedPoints": [[0.5, 0.25], [-0, 2]], "loops": [[[0,0],[1,0],[1,1]]]})");
   REQUIRE(input.has_value());
   CHECK(input->regions.at(0).loops.at(0).size() == 3);
-  const auto again = parse_domain_json(write_domain_json(*input));
+  const auto again = parse(write_domain_json(*input));
   REQUIRE(again.has_value());
   CHECK(input->seeds == std::vector<Vec2>{{0.5, 0.25}, {0, 2}});
   CHECK(again->seeds == input->seeds);
@@ -129,10 +135,10 @@ TEST_CASE("points to start from") {
 }
 
 TEST_CASE("zeros keep their signs, however they are written") {
-  const auto input = parse_domain_json(
-      R"({"loops": [[[-0, 0], [-0.0, 0.0], [-0e0, -1]]], "sizes": [[-0, 0, 1]]})");
+  const auto input =
+      parse(R"({"loops": [[[-0, 0], [-0.0, 0.0], [-0e0, -1]]], "sizes": [[-0, 0, 1]]})");
   REQUIRE(input.has_value());
-  const auto again = parse_domain_json(write_domain_json(*input));
+  const auto again = parse(write_domain_json(*input));
   REQUIRE(again.has_value());
   for (const DomainInput& read : {*input, *again}) {
     for (const Vec2 p : read.regions.at(0).loops.at(0)) CHECK(std::signbit(p.x));
@@ -153,7 +159,7 @@ TEST_CASE("numbers beyond double and NaN are not finite") {
 }
 
 TEST_CASE("NaN and Infinity do no harm where they do not matter") {
-  const auto input = parse_domain_json(
+  const auto input = parse(
       R"({"area": NaN, "note": "say \"NaN\"", "gap": [-Infinity, Infinity], "loops": [[[0, 0]]]})");
   REQUIRE(input.has_value());
   CHECK(input->regions[0].loops[0].size() == 1);
@@ -163,7 +169,7 @@ TEST_CASE("NaN and Infinity do no harm where they do not matter") {
 TEST_CASE("a text cut anywhere, or with anything after it, is refused") {
   const std::string text =
       R"({"loops": [[[0, 0], [1, 0], [1, 1]]], "h": 0.1, "points": [{"position": [1, 2]}]})";
-  REQUIRE(parse_domain_json(text).has_value());
+  REQUIRE(parse(text).has_value());
   for (std::size_t n = 0; n < text.size(); ++n)
     CHECK(refused(text.substr(0, n)).code == ErrorCode::parse_error);
   CHECK(refused(text + "x").code == ErrorCode::parse_error);
@@ -177,7 +183,7 @@ TEST_CASE("deep nesting and flipped bits end in a value or an error") {
     for (int bit = 0; bit < 8; ++bit) {
       std::string flipped = text;
       flipped[i] = static_cast<char>(flipped[i] ^ (1 << bit));
-      const auto input = parse_domain_json(flipped);
+      const auto input = parse(flipped);
       if (!input) CHECK(input.error().message.size() > 10);
     }
 }

@@ -9,9 +9,9 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t enough = 1 << 16;
   if (size > enough) return 0;
-  const auto input = lpq::parse_domain_json({reinterpret_cast<const char*>(data), size});
-  if (!input) return 0;
-  const auto domain = lpq::make_domain(*input);
+  const auto file = lpq::read_json_domain({reinterpret_cast<const char*>(data), size});
+  if (!file) return 0;
+  const auto domain = lpq::make_domain(file->domain);
   if (!domain) return 0;
   (void)lpq::sample_boundary(*domain, {.allow_added_point = true});
   (void)lpq::sample_boundary(*domain, {.keep = false, .size = 0.1, .max_nodes = 20000});

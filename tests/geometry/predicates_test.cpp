@@ -9,7 +9,6 @@
 #include "support/big_integer.h"
 #include "support/point_sets.h"
 
-using lpq::in_circle;
 using lpq::orient2d;
 using lpq::Rng;
 using lpq::Vec2;
@@ -45,11 +44,11 @@ void check_symmetries(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   CHECK(orient2d(c, a, b) == turn);
   CHECK(orient2d(b, a, c) == -turn);
   CHECK(orient2d(a, c, b) == -turn);
-  const int inside = in_circle(a, b, c, d);
-  CHECK(in_circle(b, c, a, d) == inside);
-  CHECK(in_circle(b, a, c, d) == -inside);
-  CHECK(in_circle(a, b, d, c) == -inside);
-  CHECK(in_circle(d, b, c, a) == -inside);
+  const int inside = lpq::in_circle_inline(a, b, c, d);
+  CHECK(lpq::in_circle_inline(b, c, a, d) == inside);
+  CHECK(lpq::in_circle_inline(b, a, c, d) == -inside);
+  CHECK(lpq::in_circle_inline(a, b, d, c) == -inside);
+  CHECK(lpq::in_circle_inline(d, b, c, a) == -inside);
 }
 
 }  // namespace
@@ -58,9 +57,9 @@ TEST_CASE("signs of simple configurations") {
   CHECK(orient2d({0, 0}, {1, 0}, {0, 1}) == 1);
   CHECK(orient2d({0, 0}, {0, 1}, {1, 0}) == -1);
   CHECK(orient2d({0, 0}, {0.5, 0.5}, {3, 3}) == 0);
-  CHECK(in_circle({0, 0}, {1, 0}, {0, 1}, {0.5, 0.5}) == 1);
-  CHECK(in_circle({0, 0}, {1, 0}, {0, 1}, {2, 2}) == -1);
-  CHECK(in_circle({0, 0}, {1, 0}, {0, 1}, {1, 1}) == 0);
+  CHECK(lpq::in_circle_inline({0, 0}, {1, 0}, {0, 1}, {0.5, 0.5}) == 1);
+  CHECK(lpq::in_circle_inline({0, 0}, {1, 0}, {0, 1}, {2, 2}) == -1);
+  CHECK(lpq::in_circle_inline({0, 0}, {1, 0}, {0, 1}, {1, 1}) == 0);
 }
 
 TEST_CASE("all signs on a small integer grid agree with integer arithmetic") {
@@ -72,7 +71,7 @@ TEST_CASE("all signs on a small integer grid agree with integer arithmetic") {
       for (const Vec2 c : grid) {
         wrong += orient2d(a, b, c) != orient_oracle(a, b, c, 0);
         for (std::size_t i = 0; i < grid.size(); i += 3) {
-          wrong += in_circle(a, b, c, grid[i]) != circle_oracle(a, b, c, grid[i], 0);
+          wrong += lpq::in_circle_inline(a, b, c, grid[i]) != circle_oracle(a, b, c, grid[i], 0);
         }
       }
     }
@@ -108,9 +107,10 @@ TEST_CASE("in-circle on grids of ulps around a fourth cocircular point") {
   for (int i = -32; i < 32; ++i) {
     for (int j = -32; j < 32; ++j) {
       const Vec2 d{std::abs(i) * 0x1p-54, 0.5 + j * 0x1p-53};
-      const int sign = in_circle(a, b, c, d);
+      const int sign = lpq::in_circle_inline(a, b, c, d);
       wrong += sign != circle_oracle(a, b, c, d, 54);
-      wrong += sign != in_circle(b, c, a, d) || sign != -in_circle(a, b, d, c);
+      wrong +=
+          sign != lpq::in_circle_inline(b, c, a, d) || sign != -lpq::in_circle_inline(a, b, d, c);
       exact_steps += sign == 0;
     }
   }
@@ -130,7 +130,8 @@ TEST_CASE("random points sampled on circles, rounded to doubles") {
     }
     // Rounded to multiples of 2^-49, so that the oracle can use 64-bit integers.
     for (Vec2& q : p) q = {(q.x + 8) - 8, (q.y + 8) - 8};
-    wrong += in_circle(p[0], p[1], p[2], p[3]) != circle_oracle(p[0], p[1], p[2], p[3], 60);
+    wrong +=
+        lpq::in_circle_inline(p[0], p[1], p[2], p[3]) != circle_oracle(p[0], p[1], p[2], p[3], 60);
     wrong +=
         lpq::in_circle_exact(p[0], p[1], p[2], p[3]) != circle_oracle(p[0], p[1], p[2], p[3], 60);
   }
@@ -157,10 +158,10 @@ TEST_CASE("exact steps agree with the filters and with powers of two") {
   const auto p = lpq_test::random_points(4000, 5);
   for (std::size_t i = 0; i + 3 < p.size(); i += 4) {
     CHECK(orient2d(p[i], p[i + 1], p[i + 2]) == lpq::orient2d_exact(p[i], p[i + 1], p[i + 2]));
-    const int sign = in_circle(p[i], p[i + 1], p[i + 2], p[i + 3]);
+    const int sign = lpq::in_circle_inline(p[i], p[i + 1], p[i + 2], p[i + 3]);
     CHECK(sign == lpq::in_circle_exact(p[i], p[i + 1], p[i + 2], p[i + 3]));
-    CHECK(sign ==
-          in_circle(0x1p40 * p[i], 0x1p40 * p[i + 1], 0x1p40 * p[i + 2], 0x1p40 * p[i + 3]));
+    CHECK(sign == lpq::in_circle_inline(0x1p40 * p[i], 0x1p40 * p[i + 1], 0x1p40 * p[i + 2],
+                                        0x1p40 * p[i + 3]));
   }
 }
 
@@ -169,11 +170,11 @@ TEST_CASE("cocircular points are cocircular, and a neighbour in the last place i
   REQUIRE(p.size() == 36);
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vec2 a = p[i], b = p[(i + 7) % 36], c = p[(i + 16) % 36], d = p[(i + 25) % 36];
-    CHECK(in_circle(a, b, c, d) == 0);
+    CHECK(lpq::in_circle_inline(a, b, c, d) == 0);
     const int turn = orient2d(a, b, c);
     const Vec2 nearer{d.x * (1 - 0x1p-53), d.y * (1 - 0x1p-53)};
     const Vec2 farther{d.x * (1 + 0x1p-52), d.y * (1 + 0x1p-52)};
-    CHECK(in_circle(a, b, c, nearer) * turn == 1);
-    CHECK(in_circle(a, b, c, farther) * turn == -1);
+    CHECK(lpq::in_circle_inline(a, b, c, nearer) * turn == 1);
+    CHECK(lpq::in_circle_inline(a, b, c, farther) * turn == -1);
   }
 }

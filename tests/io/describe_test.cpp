@@ -14,7 +14,7 @@ using namespace lpq;
 TEST_CASE("the description is JSON and names every option, code and format") {
   const std::string text = write_description();
   // The reader of domains passes over what it does not know, if it is well formed.
-  const auto read = parse_domain_json("{\"loops\":[],\"described\":" + text + "}");
+  const auto read = read_json_domain("{\"loops\":[],\"described\":" + text + "}");
   CHECK(read.has_value());
   const auto names = [&](std::string_view name) {
     return text.find('"' + std::string(name) + '"') != std::string::npos;
@@ -40,8 +40,9 @@ TEST_CASE("a domain written as JSON reads back bit for bit") {
   domain.polylines.push_back({{{0.25, 0.5}, {0.75, 0.5}}, "crack"});
   domain.points.push_back({{1e17, -0.0}, "probe"});
   domain.h = 0.1;
-  const auto back = parse_domain_json(write_domain_json(domain));
-  REQUIRE(back.has_value());
+  const auto file = read_json_domain(write_domain_json(domain));
+  REQUIRE(file.has_value());
+  const DomainInput* back = &file->domain;
   REQUIRE(back->regions.size() == 2);
   CHECK(back->regions[0].name == domain.regions[0].name);
   CHECK(back->regions[0].loops == domain.regions[0].loops);

@@ -23,7 +23,7 @@ TEST_CASE("a grid is valid") {
     const DirectedEdges boundary = outer_boundary(mesh);
     CHECK(boundary.size() == static_cast<std::size_t>(2 * (nx + ny)));
     CHECK(sentences(validate(mesh, {boundary, mesh.points})) == "");
-    CHECK(sentences(validate_topology(mesh, {boundary})) == "");
+    CHECK(sentences(topology_faults(mesh, {boundary})) == "");
   }
 }
 
@@ -40,7 +40,7 @@ TEST_CASE("signs are exact, and judged at the coordinates given") {
   CHECK(mentions(flat, "coincide"));
   mesh.points[inner] = {-0x1p-60, 0.25};
   CHECK(mentions(validate(mesh, {boundary}), "not strictly convex"));
-  CHECK(validate_topology(mesh, {boundary}).empty());
+  CHECK(topology_faults(mesh, {boundary}).empty());
 }
 
 TEST_CASE("a violation says where") {
@@ -103,7 +103,7 @@ TEST_CASE("conformity") {
   SECTION("a face turned over") {
     QuadMesh mesh = good;
     std::swap(mesh.faces[4][1], mesh.faces[4][3]);
-    CHECK(mentions(validate_topology(mesh, {boundary}), "used twice in the same direction"));
+    CHECK(mentions(topology_faults(mesh, {boundary}), "used twice in the same direction"));
   }
   SECTION("a crack: one inner vertex doubled in one face") {
     QuadMesh mesh = good;

@@ -29,7 +29,7 @@ RecombineResult run(const TriMesh& mesh, bool all_quads = true) {
 void check_result(const TriMesh& mesh, const RecombineResult& result) {
   const DirectedEdges boundary = outer_boundary(mesh);
   const std::vector<Vec2> given(mesh.points.begin(), mesh.points.begin() + mesh.fixed);
-  CHECK(sentences(validate_topology(result.mesh, {boundary, given})) == "");
+  CHECK(sentences(topology_faults(result.mesh, {boundary, given})) == "");
   CHECK(signed_area(result.mesh) == Approx(signed_area(mesh)).epsilon(1e-12));
   CHECK(result.mesh.walls == inner_walls(mesh));
   const QuadQuality quality = quad_quality(result.mesh);

@@ -17,7 +17,8 @@ namespace {
 
 constexpr Index sectors = 24, rings = 4;
 
-/// A disk in the plane; ring k has the points k sectors - sectors + 1 .. k sectors.
+/// A disk in the plane; ring k has the points k sectors - sectors + 1 .. k sectors. What
+/// is inside ring 2 is a group.
 SurfaceMesh disk() {
   SurfaceSoup soup;
   soup.points = {{0, 0, 0}};
@@ -34,6 +35,9 @@ SurfaceMesh disk() {
       soup.triangles.push_back({at(ring, k), at(ring + 1, k), at(ring + 1, k + 1)});
       if (ring > 0) soup.triangles.push_back({at(ring, k), at(ring + 1, k + 1), at(ring, k + 1)});
     }
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    soup.group.push_back(t < 3 * sectors ? 0 : 1);
+  soup.group_names = {"inside", "outside"};
   return repair_surface(soup)->mesh;
 }
 
@@ -43,14 +47,11 @@ TEST_CASE(
     "a loop of features inside a chart is closed, wherever it begins and whatever it has cut") {
   const SurfaceMesh mesh = disk();
   const std::vector<double> size(mesh.points.size(), 0.7);
-  FeatureMarks ring;
-  for (Index k = 0; k < sectors; ++k)
-    ring.sharp.push_back({1 + sectors + k, 1 + sectors + (k + 1) % sectors});
-  const SurfaceFeatures features = find_features(mesh, size, {}, ring);
+  const SurfaceFeatures features = find_features(mesh, size);
   const SurfaceCurves curves = trace_curves(mesh, features);
   const auto nodes = mesh_curves(mesh, features, curves, size);
   REQUIRE(nodes.has_value());
-  const SurfaceFeatures borders = find_features(mesh, size);
+  const SurfaceFeatures borders = find_features(mesh, size, {.groups = false});
   Atlas atlas = make_charts(mesh, borders.half_edges());
   REQUIRE(atlas.charts.size() == 1);
   const CurveNodes at(mesh, features.edges, curves, *nodes);
@@ -70,7 +71,7 @@ TEST_CASE(
   // With a piece of it cut, whichever it is, the rest is one line.
   const std::vector<char> uncut = atlas.cut;
   for (Index i = 0; i < features.edges.count(); ++i) {
-    if (features.kind[i] != FeatureKind::marked) continue;
+    if (features.kind[i] != FeatureKind::group_border) continue;
     for (const Index e : features.edges.half_edges.row(i)) atlas.cut[e] = 1;
     CHECK(lines().size() == 1);
     CHECK(lines()[0].points.size() < loop.size());

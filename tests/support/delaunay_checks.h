@@ -9,6 +9,7 @@
 
 #include "delaunay/delaunay.h"
 #include "geometry/predicates.h"
+#include "geometry/predicates_inline.h"
 #include "mesh/tri_mesh.h"
 #include "support/delaunay_boundary.h"
 
@@ -23,8 +24,8 @@ inline int occupied_edges(const TriMesh& mesh) {
   for (Index e = 0; e < 3 * mesh.triangle_count(); ++e) {
     if (mesh.twins[e] == none) continue;
     const auto& [a, b, c] = mesh.triangles[lpq::triangle_of(e)];
-    count += lpq::in_circle(mesh.points[a], mesh.points[b], mesh.points[c],
-                            mesh.points[mesh.apex(mesh.twins[e])]) > 0;
+    count += lpq::in_circle_inline(mesh.points[a], mesh.points[b], mesh.points[c],
+                                   mesh.points[mesh.apex(mesh.twins[e])]) > 0;
   }
   return count;
 }
@@ -34,7 +35,7 @@ inline int occupied_circles(const TriMesh& mesh) {
   int count = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
     for (const Vec2 p : mesh.points) {
-      count += lpq::in_circle(mesh.points[a], mesh.points[b], mesh.points[c], p) > 0;
+      count += lpq::in_circle_inline(mesh.points[a], mesh.points[b], mesh.points[c], p) > 0;
     }
   }
   return count;

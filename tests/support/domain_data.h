@@ -40,10 +40,10 @@ inline std::string json_member(const std::string& text, const std::string& key) 
 }
 
 inline lpq::DomainInput read_domain(const std::filesystem::path& path) {
-  auto input = lpq::parse_domain_json(read_text(path));
+  auto file = lpq::read_json_domain(read_text(path));
   INFO(path);
-  REQUIRE(input.has_value());
-  return *std::move(input);
+  REQUIRE(file.has_value());
+  return std::move(file->domain);
 }
 
 }  // namespace lpq_test

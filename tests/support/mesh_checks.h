@@ -36,6 +36,18 @@ inline DirectedEdges outer_boundary(const lpq::QuadMesh& mesh) {
   return outer;
 }
 
+/// What is wrong wherever the free vertices are, in meshes that still wait for smoothing: edges,
+/// fans, boundary, walls, use of vertices.
+inline std::vector<lpq::Violation> topology_faults(const lpq::QuadMesh& mesh,
+                                                   const lpq::ExpectedBoundary& boundary) {
+  std::vector<lpq::Violation> found = lpq::validate(mesh, boundary, 1'000'000);
+  std::erase_if(found, [](const lpq::Violation& violation) {
+    return violation.what.find("not strictly convex") != std::string::npos ||
+           violation.what.find("coincide") != std::string::npos;
+  });
+  return found;
+}
+
 /// All sentences, for a readable failure; empty when there is none.
 inline std::string sentences(const std::vector<lpq::Violation>& violations) {
   std::string text;

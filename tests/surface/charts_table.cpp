@@ -15,7 +15,7 @@ using namespace lpq_test;
 namespace {
 
 struct Row {
-  double triangles = 0, seconds = 0, faces = 0, charts = 0, small = 0, area = 0, anisotropy = 0;
+  double triangles = 0, seconds = 0, faces = 0, charts = 0, small = 0;
   double methods[5] = {};
   double range = 1, q95 = 1;
   ChartCounts counts;
@@ -24,7 +24,6 @@ struct Row {
 void add(Row& sum, const Row& row) {
   sum.triangles += row.triangles, sum.seconds += row.seconds, sum.faces += row.faces;
   sum.charts += row.charts, sum.small += row.small;
-  sum.area += 1, sum.anisotropy += row.anisotropy / row.area;
   for (int i = 0; i < 5; ++i) sum.methods[i] += row.methods[i];
   sum.range = std::max(sum.range, row.range), sum.q95 = std::max(sum.q95, row.q95);
   sum.counts.maps += row.counts.maps, sum.counts.opened += row.counts.opened;
@@ -46,10 +45,6 @@ Row measure(const SurfaceMesh& mesh) {
     ++row.charts;
     ++row.methods[static_cast<int>(chart.method)];
     row.small += chart.triangles.size() <= 3;
-    double area = 0;
-    for (const Index t : chart.triangles) area += layout_of(mesh, t).area;
-    row.area += area;
-    row.anisotropy += area * chart.check.mean_anisotropy;
     row.range = std::max(row.range, chart.check.scale_range);
     row.q95 = std::max(row.q95, chart.check.anisotropy);
   }
@@ -60,10 +55,10 @@ void print(const char* name, const Row& row) {
   const ChartCounts& c = row.counts;
   std::printf(
       "| %s | %.0f | %.0f | %.0f (%.0f) | %.0f/%.0f/%.0f/%.0f/%.0f | %d/%d/%d/%d | %d | %d | %d | "
-      "%.3f | %.2f | %.2f | %.2f |\n",
+      "%.2f | %.2f | %.2f |\n",
       name, row.triangles, row.faces, row.charts, row.small, row.methods[0], row.methods[1],
       row.methods[2], row.methods[3], row.methods[4], c.topology, c.flips, c.crossings,
-      c.distortions, c.opened, c.merged, c.maps, row.anisotropy / row.area, row.q95, row.range,
+      c.distortions, c.opened, c.merged, c.maps, row.q95, row.range,
       1e5 * row.seconds / row.triangles);
   std::fflush(stdout);
 }
@@ -78,9 +73,9 @@ int main(int argc, char** argv) {
   std::printf(
       "| surface | triangles | faces | charts (of up to 3 triangles) | BFF/LSCM/SCP/SD/none | "
       "split "
-      "for topology/flips/crossing/distortion | opened | merged | maps solved | mean anisotropy | "
+      "for topology/flips/crossing/distortion | opened | merged | maps solved | "
       "largest Q95 | largest scale range | s per 100k |\n|---|---|---|---|---|---|---|---|---|---|"
-      "---|---|---|\n");
+      "---|---|\n");
   Row sum;
   for (int i = 1; i < argc; ++i) {
     const std::filesystem::path path = argv[i];

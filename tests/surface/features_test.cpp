@@ -22,9 +22,8 @@ SurfaceMesh mesh_of(const SurfaceSoup& soup) {
   return std::move(surface->mesh);
 }
 
-SurfaceFeatures features_of(const SurfaceMesh& mesh, double size = 1, FeatureOptions options = {},
-                            const FeatureMarks& marks = {}) {
-  return find_features(mesh, std::vector<double>(mesh.points.size(), size), options, marks);
+SurfaceFeatures features_of(const SurfaceMesh& mesh, double size = 1, FeatureOptions options = {}) {
+  return find_features(mesh, std::vector<double>(mesh.points.size(), size), options);
 }
 
 Index count_of(const SurfaceFeatures& features, FeatureKind kind) {
@@ -189,7 +188,7 @@ TEST_CASE("rims of holes are kept at every size, small loops of noise are not") 
   CHECK(features_of(pit(5, 0.5, 6), 10).face_count == 1);
 }
 
-TEST_CASE("borders between groups are kept, and the caller has the last word") {
+TEST_CASE("borders between groups are kept, unless the caller says otherwise") {
   SurfaceSoup soup = sheet_soup(6, [](int, int) { return 0; });
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)
     soup.group.push_back(t < soup.triangles.size() / 2 ? 0 : 1);
@@ -200,14 +199,7 @@ TEST_CASE("borders between groups are kept, and the caller has the last word") {
   CHECK(count_of(two, FeatureKind::group_border) == 6);
   CHECK(corners_of(two) == 6);
   CHECK(features_of(mesh, 10, {.groups = false}).face_count == 1);
-  const Index middle = 3 * 7 + 3;
-  FeatureMarks marks;
-  marks.smooth = {{middle, middle + 1}, {0, 1}};
-  marks.sharp = {{middle + 7, middle}, {0, 48}};
-  const auto marked = features_of(mesh, 10, {}, marks);
-  CHECK(marked.face_count == 1);
-  CHECK(count_of(marked, FeatureKind::marked) == 1);
-  CHECK(count_of(marked, FeatureKind::wall) == 24);
+  CHECK(count_of(two, FeatureKind::wall) == 24);
 }
 
 TEST_CASE("jagged borders have no corner at every tooth") {

@@ -293,12 +293,6 @@ Result<DomainFile> parse_file(std::string_view text) {
 
 }  // namespace
 
-Result<DomainInput> parse_domain_json(std::string_view text) {
-  auto file = parse_file(text);
-  if (!file) return file.error();
-  return std::move(file->domain);
-}
-
 Result<DomainFile> read_json_domain(std::string_view text) {
   auto file = parse_file(text);
   if (!file) return file;

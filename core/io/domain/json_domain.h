@@ -17,12 +17,9 @@
 namespace lpq {
 
 /// Reads the text and judges its form only; make_domain judges the geometry. Errors: parse_error
-/// and non_finite with line and byte and, in the message, the path of the value; too_large beyond
-/// 1 GiB. Memory grows with the text, never with a number written in it; nesting is limited.
-Result<DomainInput> parse_domain_json(std::string_view text);
-
-/// The same as a file, with warnings; tags without an edge and guides without a direction are
-/// parse_errors too, for they are the file's fault.
+/// and non_finite with line and byte and, in the message, the path of the value, parse_error for
+/// tags without an edge and guides without a direction as well; too_large beyond 1 GiB. Memory
+/// grows with the text, never with a number written in it; nesting is limited.
 Result<DomainFile> read_json_domain(std::string_view text);
 
 /// Text that reads back as the same domain, bit for bit.

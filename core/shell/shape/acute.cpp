@@ -67,7 +67,7 @@ class CornerEaser {
         options_(options),
         mesh_(mesh),
         roles_(roles),
-        stars_(faces_at_vertices(mesh)) {}
+        stars_(mesh) {}
 
   Index run() {
     const std::vector<PoorCorner> corners = poor_corners();
@@ -171,7 +171,7 @@ class CornerEaser {
   const SmoothOptions& options_;
   ShellMesh& mesh_;
   std::vector<VertexRole>& roles_;
-  Csr<Index> stars_;
+  FaceStars stars_;
   std::optional<Creases> creases_;  // from the first poor quad on
   Index eased_ = 0;
 };

@@ -48,7 +48,7 @@ class Mender::Run {
         options_(options),
         mesh_(mesh),
         roles_(roles),
-        stars_(faces_at_vertices(mesh)),
+        stars_(mesh),
         seeds_left_(some_seeds +
                     static_cast<std::size_t>(most_seeds * static_cast<double>(mesh.faces.size()))),
         covered_(mesh.faces.size(), 0) {}
@@ -138,14 +138,14 @@ class Mender::Run {
     if (!better) return;
     ++(best.changed ? stats_.refilled : stats_.moved);
     put_back(best, mesh_, roles_);
-    if (best.changed) stars_ = faces_at_vertices(mesh_);
+    if (best.changed) stars_.update(mesh_, best);
   }
 
   const ShapeGround& ground_;
   const SmoothOptions& options_;
   ShellMesh& mesh_;
   std::vector<VertexRole>& roles_;
-  Csr<Index> stars_;
+  FaceStars stars_;
   Index next_ = 0;  // face
   std::size_t seeds_left_;
   std::vector<char> covered_;  // #F

@@ -10,7 +10,7 @@
 namespace lpq {
 namespace {
 
-// Flatness above which no quad can be turned.
+// Flatness above which the normals at the corners say whether a quad is turned.
 constexpr double flat_enough = 0.9;
 // Weights in triangles below are taken for zero.
 constexpr double on_side = 1e-9;
@@ -28,6 +28,12 @@ double least_inward(const SurfaceMesh& mesh, const SurfacePlace& place, Vec3 way
     if (place.weight[k] == 0 && size > 0) least = std::min(least, cross(side, flat) / size);
   }
   return least;
+}
+
+/// Of a quad, with twice its area for length.
+Vec3 normal_of(const ShellMesh& mesh, Index f) {
+  const auto [a, b, c, d] = mesh.faces[f];
+  return cross(mesh.points[c] - mesh.points[a], mesh.points[d] - mesh.points[b]);
 }
 
 /// Where in the triangle p, a point of it, lies.
@@ -97,22 +103,54 @@ double Outside::flatness(const ShellMesh& mesh, Index f) const {
 }
 
 bool Outside::is_turned(const ShellMesh& mesh, Index f) const {
+  if (mesh.faces[f][3] == none) return false;
+  const Vec3 mean = mean_normal(mesh, f);
+  if (length(mean) > flat_enough) return dot(normal_of(mesh, f), mean) < 0;
+  return looks_away(mesh, f, {nearest_});
+}
+
+std::vector<Index> Outside::turned_quads(const ShellMesh& mesh) const {
+  std::vector<Index> turned, result;
+  for (Index f = 0; f < static_cast<Index>(mesh.faces.size()); ++f)
+    if (is_turned(mesh, f)) turned.push_back(f);
+  if (turned.empty()) return result;
+  const Csr<Index> quads = csr_from<Index>(features_.face_count, [&](auto&& emit) {
+    for (const Index f : turned) emit(mesh.face[f], f);
+  });
+  const Csr<Index> triangles = members_of(features_.face, features_.face_count);
+  for (Index face = 0; face < quads.rows(); ++face) {
+    if (quads.row(face).empty()) continue;
+    std::vector<Tri> own;
+    for (const Index t : triangles.row(face)) own.push_back(surface_.triangles[t]);
+    const NearestTriangle nearest(surface_.points, own);
+    for (const Index f : quads.row(face))
+      if (looks_away(mesh, f, {nearest, triangles.row(face)})) result.push_back(f);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// At most of five points of the quad.
+bool Outside::looks_away(const ShellMesh& mesh, Index f, const Sheet& sheet) const {
   const Face& face = mesh.faces[f];
-  if (face[3] == none || flatness(mesh, f) > flat_enough) return false;
   const auto corner = [&](int k) { return mesh.points[face[k]]; };
-  const Vec3 normal = cross(corner(2) - corner(0), corner(3) - corner(1));
+  const auto hint = [&](int k) {
+    return sheet.triangles.empty() ? mesh.places[face[k]].triangle : 0;
+  };
+  const Vec3 normal = normal_of(mesh, f);
   const Vec3 middle = 0.25 * (corner(0) + corner(1) + corner(2) + corner(3));
-  int away = looks_away(middle, normal, mesh.places[face[0]].triangle);
+  int away = looks_away(middle, normal, hint(0), sheet);
   for (int k = 0; k < 4; ++k)
-    away += looks_away(0.75 * corner(k) + 0.25 * middle, normal, mesh.places[face[k]].triangle);
+    away += looks_away(0.75 * corner(k) + 0.25 * middle, normal, hint(k), sheet);
   return away > 2;
 }
 
-/// No triangle where the surface is nearest to p looks the way of this normal.
-bool Outside::looks_away(Vec3 p, Vec3 normal, Index hint) const {
-  const NearestTriangle::Hit hit = nearest_.find(p, hint);
+/// No triangle where the sheet is nearest to p looks the way of this normal.
+bool Outside::looks_away(Vec3 p, Vec3 normal, Index hint, const Sheet& sheet) const {
+  const NearestTriangle::Hit hit = sheet.nearest.find(p, hint);
+  const Index nearest = sheet.triangles.empty() ? hit.triangle : sheet.triangles[hit.triangle];
   bool away = true;
-  for_each_triangle_at(place_in(surface_, hit.triangle, hit.point),
+  for_each_triangle_at(place_in(surface_, nearest, hit.point),
                        [&](Index t) { away = away && dot(normal_[t], normal) <= 0; });
   return away;
 }

@@ -2,6 +2,7 @@
 #include "shell/shape/patch.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/sort_numbers.h"
 #include "base/sort_unique.h"
@@ -32,8 +33,37 @@ Csr<Index> faces_at_vertices(const ShellMesh& mesh) {
   });
 }
 
-std::vector<Index> faces_around(const ShellMesh& mesh, const Csr<Index>& stars, Index f,
-                                int rings) {
+FaceStars::FaceStars(const ShellMesh& mesh)
+    : rows_(faces_at_vertices(mesh)),
+      no_faces_(rows_.rows()),
+      row_(mesh.points.size()),
+      face_count_(mesh.faces.size()) {
+  rows_.end_row();
+  std::iota(row_.begin(), row_.end(), 0);
+}
+
+void FaceStars::update(const ShellMesh& mesh, const ShapePatch& patch) {
+  row_.resize(mesh.points.size(), no_faces_);
+  std::vector<std::array<Index, 2>> at;  // vertex, face
+  for (const Index v : patch.vertex) {
+    if (v == none) continue;
+    for (const Index f : row(v))
+      if (mesh.faces[f][0] != none) at.push_back({v, f});
+    row_[v] = no_faces_;
+  }
+  for (; face_count_ < mesh.faces.size(); ++face_count_)
+    for (const Index v : mesh.faces[face_count_])
+      if (v != none) at.push_back({v, static_cast<Index>(face_count_)});
+  sort_unique(at);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    rows_.values.push_back(at[i][1]);
+    if (i + 1 < at.size() && at[i + 1][0] == at[i][0]) continue;
+    row_[at[i][0]] = rows_.rows();
+    rows_.end_row();
+  }
+}
+
+std::vector<Index> faces_around(const ShellMesh& mesh, const FaceStars& stars, Index f, int rings) {
   std::vector<Index> all{f};
   for (int ring = 0; ring < rings; ++ring) {
     const std::size_t size = all.size();
@@ -46,7 +76,7 @@ std::vector<Index> faces_around(const ShellMesh& mesh, const Csr<Index>& stars, 
 }
 
 ShapePatch take_patch(const ShellMesh& mesh, const std::vector<VertexRole>& roles,
-                      const Csr<Index>& stars, std::vector<Index> faces) {
+                      const FaceStars& stars, std::vector<Index> faces) {
   ShapePatch patch;
   patch.faces = std::move(faces);
   for (const Index f : patch.faces)

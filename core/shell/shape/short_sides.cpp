@@ -50,7 +50,7 @@ bool has_short_side(const ShellMesh& mesh, Index f, double share) {
 
 Index lengthen_sides(const ShapeGround& ground, const SmoothOptions& options, ShellMesh& mesh,
                      std::vector<VertexRole>& roles) {
-  const Csr<Index> stars = faces_at_vertices(mesh);
+  const FaceStars stars(mesh);
   Index places = 0;
   for (Index f = 0; f < static_cast<Index>(mesh.faces.size()); ++f) {
     if (corner_count(mesh.faces[f]) < 4 || !has_short_side(mesh, f, short_share)) continue;

@@ -33,7 +33,7 @@ class TipReacher {
         options_(options),
         mesh_(mesh),
         roles_(roles),
-        stars_(faces_at_vertices(mesh)) {}
+        stars_(mesh) {}
 
   Index run() {
     for (int pass = 0; pass < most_passes; ++pass) {
@@ -151,7 +151,7 @@ class TipReacher {
   const SmoothOptions& options_;
   ShellMesh& mesh_;
   std::vector<VertexRole>& roles_;
-  const Csr<Index> stars_;
+  const FaceStars stars_;
   std::vector<std::vector<const PlaceToCover*>>
       places_at_;  // #F  nearest to the face, when the pass began
   Index reached_ = 0;

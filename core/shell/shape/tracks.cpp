@@ -87,7 +87,7 @@ Tracks::Point Tracks::at(Index track, double s) const {
   const auto vertices = curves_.vertices.row(track);
   const Vec3 along = mesh_.points[vertices[k + 1]] - mesh_.points[vertices[k]];
   const Index e = features_.edges.half_edges.row(edge)[0];
-  Point point{{triangle_of(e), {0, 0, 0}}, size > 0 ? (1 / size) * along : Vec3{}, edge};
+  Point point{{triangle_of(e), {0, 0, 0}}, size > 0 ? (1 / size) * along : Vec3{}};
   const bool forward = mesh_.origin(e) == vertices[k];
   point.place.weight[e % 3] = forward ? 1 - t : t;
   point.place.weight[next_in_triangle(e % 3)] = forward ? t : 1 - t;

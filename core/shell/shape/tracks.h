@@ -32,7 +32,6 @@ class Tracks {
   struct Point {
     SurfacePlace place;
     Vec3 tangent;  // of length one
-    Index edge;    // of the surface
   };
   /// The point at s; on loops s is taken round.
   Point at(Index track, double s) const;

@@ -148,7 +148,7 @@ MapCheck check_map(const SurfaceMesh& mesh, const Part& part, std::span<const Ve
   check.flipped = count_flipped(part, uv);
   if (check.flipped > 0) return check;
   std::vector<Weighted> scales, anisotropies;
-  double total = 0, sum = 0;
+  double total = 0;
   const std::vector<TriangleLayout> layouts = layouts_of(mesh, part, total);
   const double least = least_area_share * total / static_cast<double>(layouts.size());
   for (Index t = 0; t < part.triangle_count(); ++t) {
@@ -158,9 +158,7 @@ MapCheck check_map(const SurfaceMesh& mesh, const Part& part, std::span<const Ve
     const Stretch stretch = stretch_of(layouts[t], {uv[a], uv[b], uv[c]});
     scales.push_back({stretch.scale, area});
     anisotropies.push_back({stretch.anisotropy, area});
-    sum += area * std::min(stretch.anisotropy, 1e3);
   }
-  if (total > 0) check.mean_anisotropy = sum / total;
   check.anisotropy = quantile(anisotropies, judged_share);
   const double high = quantile(scales, 1 - tail), low = quantile(scales, tail);
   check.scale_range = high / std::max(low, 1e-300);

@@ -19,8 +19,6 @@ struct MapCheck {
   Index flipped = 0;      // triangles not turning left, by exact orientation
   bool crossing = false;  // borders meet, but for rounding; not looked at if triangles are flipped
   double scale_range = 1, anisotropy = 1;
-  double mean_anisotropy = 1;
-  bool injective() const { return flipped == 0 && !crossing; }
   bool within(const MapLimits& limits) const {
     return scale_range <= limits.scale_range && anisotropy <= limits.anisotropy;
   }

@@ -30,7 +30,6 @@ struct Part {
     return vertex_count() - (3 * triangle_count() + loops.offsets.back()) / 2 + triangle_count();
   }
   Index genus() const { return (2 - euler() - loops.rows()) / 2; }
-  bool is_disk() const { return loops.rows() == 1 && genus() == 0; }
 };
 
 /// Takes parts out of one surface; keeps a table of the surface's size between calls.
