@@ -30,6 +30,11 @@ bool is_count_kept(double wanted, double before, double after) {
   return after <= before || after <= most_count * wanted;
 }
 
+// Where sizes are small at points, the count of a large patch does not tell whether a filling keeps
+// them: no face of it may be this many times as wide as the least size in it, unless one is
+// already.
+constexpr double most_coarseness = 2;
+
 // What a change may cost at most: nothing, or with a temperature what chance allows [Metropolis].
 double most_change(const RefitRule& rule) {
   if (rule.temperature <= 0) return 0;
@@ -98,6 +103,7 @@ Trial Refitter::best_trial(const Surroundings& around, const Polygon& shape,
                            std::span<const Plan> plans, double best_change) {
   const double now = around.energy_now(options_.energy);
   const double least_eta = std::min(options_.worst_eta, around.worst_eta_now());
+  const double coarsest = std::max(most_coarseness, around.coarseness_now());
   const double wanted = wanted_quads(), before = static_cast<double>(patch_.faces().size());
   Trial best;
   for (const Plan& plan : plans) {
@@ -114,6 +120,7 @@ Trial Refitter::best_trial(const Surroundings& around, const Polygon& shape,
     if (!around.relax(trial, {.energy = options_.energy, .bound = even + best_change})) continue;
     const double change = trial.energy - even;
     if (change >= best_change || worst_eta(trial.mesh) < least_eta) continue;
+    if (around.coarseness(trial.mesh) > coarsest) continue;
     best_change = change;
     best = std::move(trial);
   }
