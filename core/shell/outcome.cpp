@@ -146,10 +146,43 @@ void warn_of_smaller_sizes(ShellOutcome& outcome) {
                              {}});
 }
 
-/// The place is one of the mesh alone, if there is any.
-void warn_of_crossings(ShellOutcome& outcome) {
+/// "Bodies 0 (bolt) and 2", as given.
+std::string bodies_text(const ShellOutcome& outcome, Index s, Index t) {
+  const auto name = [&](Index triangle) {
+    const Index body = outcome.surface.body_of(outcome.surface.triangles[triangle][0]);
+    const std::string& label = outcome.body_names[static_cast<std::size_t>(body)];
+    return std::to_string(body) + (label.empty() ? "" : " (" + label + ")");
+  };
+  return "Bodies " + name(s) + " and " + name(t);
+}
+
+/// Of bodies that go into each other, and of a surface that goes through itself where no pair of
+/// quads tells it.
+void warn_of_given_crossings(std::span<const double> size, bool told, ShellOutcome& outcome) {
+  const auto [within, between] = given_crossings(outcome.surface, size);
+  const auto warn = [&](const std::string& what, const std::vector<FaceCrossing>& crossings,
+                        const char* then) {
+    const Vec3 at = crossings[0].at;
+    outcome.report.warnings.push_back({ErrorCode::self_intersection,
+                                       what + ": " + std::to_string(crossings.size()) +
+                                           " pairs of triangles, the first near " +
+                                           place_in_space(at.x, at.y, at.z) + then,
+                                       {}});
+  };
+  if (!between.empty()) {
+    const auto [s, t] = between[0].faces;
+    warn(bodies_text(outcome, s, t) + " go through each other", between,
+         ". Each gets a mesh of its own, as if it were alone: unite them, or part them.");
+  }
+  if (!within.empty() && !told)
+    warn("The surface goes through itself", within,
+         ". The mesh may not be what is meant there: repair the surface.");
+}
+
+/// The place is one of the mesh alone, if there is any. False if nothing is told.
+bool warn_of_crossings(ShellOutcome& outcome) {
   const std::vector<FaceCrossing> crossings = mesh_crossings(outcome.surface, outcome.mesh);
-  if (crossings.empty()) return;
+  if (crossings.empty()) return false;
   const FaceCrossing* first = &crossings[0];
   for (const FaceCrossing& crossing : crossings)
     if (first->given && !crossing.given) first = &crossing;
@@ -160,6 +193,7 @@ void warn_of_crossings(ShellOutcome& outcome) {
            (first->given ? ". The surface goes through itself there: repair it."
                          : ". Use a smaller size there, or repair the surface."),
        {}});
+  return true;
 }
 
 }  // namespace
@@ -180,7 +214,7 @@ void summarise(const SurfaceFeatures& features, const SurfaceCrossField& cross,
   warn_of_distance(size, outcome);
   warn_of_smaller_sizes(outcome);
   warn_of_thin_quads(outcome);
-  warn_of_crossings(outcome);
+  warn_of_given_crossings(size, warn_of_crossings(outcome), outcome);
   if (report.quality.nonconvex > 0)
     report.warnings.push_back(bent_quads(outcome.mesh, report.quality.nonconvex));
 }
