@@ -54,11 +54,25 @@ std::vector<BoundarySpacing::Sample> undominated(
   return kept;
 }
 
+/// Of sizes below the spacing; they are added to the samples instead where those say as much.
+LeastCone add_sizes(std::span<const SizeSample> sizes, const SpacingOptions& options,
+                    std::vector<BoundarySpacing::Sample>& samples) {
+  std::vector<SizeCone> cones = size_cones(sizes, options.growth, options.size);
+  std::erase_if(cones, [&](const SizeCone& cone) { return !(cone.h < options.size); });
+  for (SizeCone& cone : cones) cone.h = std::max(finest, cone.h);
+  if (wider_than_growth(cones, options.growth)) return LeastCone(std::move(cones));
+  for (const SizeCone& cone : cones) samples.push_back({cone.tip, cone.h});
+  return {};
+}
+
 }  // namespace
 
-BoundarySpacing::BoundarySpacing(std::vector<Sample> samples, std::vector<double> bound,
-                                 const SpacingOptions& options)
-    : options_(options), samples_(std::move(samples)), bound_(std::move(bound)) {
+BoundarySpacing::BoundarySpacing(std::vector<Sample> samples, LeastCone cones,
+                                 std::vector<double> bound, const SpacingOptions& options)
+    : options_(options),
+      samples_(std::move(samples)),
+      cones_(std::move(cones)),
+      bound_(std::move(bound)) {
   std::vector<Box> boxes;
   std::vector<double> values;
   boxes.reserve(samples_.size());
@@ -77,12 +91,11 @@ BoundarySpacing::BoundarySpacing(const Domain& domain, std::span<const Segment> 
   std::vector<Sample> samples;
   for (std::size_t v = 0; v < shortest.size(); ++v)
     if (shortest[v] < options.size) samples.push_back({domain.points[v], shortest[v]});
-  for (const SizeSample& given : sizes)
-    if (given.h < options.size) samples.push_back({given.position, std::max(finest, given.h)});
+  const LeastCone cones = add_sizes(sizes, options, samples);
   const Gaps gaps(domain, segments);
   add_tips(gaps, domain, options.size, samples);
   // Gaps matter only where the given edges do not ask for a finer spacing already.
-  const BoundarySpacing without_gaps(samples, shortest, options);
+  const BoundarySpacing without_gaps(samples, cones, shortest, options);
   const Index most = few_samples + samples_per_segment * static_cast<Index>(segments.size());
   double floor = finest;
   const std::size_t before = samples.size();
@@ -90,13 +103,13 @@ BoundarySpacing::BoundarySpacing(const Domain& domain, std::span<const Segment> 
     samples.resize(before);
     floor = std::max(2 * floor, gaps.wall_length() / most);
   }
-  const BoundarySpacing all(samples, shortest, options);
-  *this = BoundarySpacing(undominated(samples, all), shortest, options);
+  const BoundarySpacing all(samples, cones, shortest, options);
+  *this = BoundarySpacing(undominated(samples, all), cones, shortest, options);
   gap_floor_ = floor > finest ? floor : 0.0;
 }
 
 double BoundarySpacing::at(Vec2 p, double bound) const {
-  double best = std::min(bound, options_.size);
+  double best = cones_.at(p, std::min(bound, options_.size));
   tree_.walk(
       [&](Index node, const Box& box) {
         if (smallest_[node] >= best) return false;

@@ -7,6 +7,7 @@
 #include "domain/boundary.h"
 #include "domain/box_tree.h"
 #include "domain/domain.h"
+#include "domain/size_cones.h"
 
 namespace lpq {
 
@@ -17,9 +18,9 @@ struct SpacingOptions {
 
 /// s(x) = min(size, min over samples y of s_y + growth |x - y|): the largest function of that slope
 /// below all samples. A sample stands at the ends of every short edge, along both walls of every
-/// gap, in every sharp corner, and where the caller gives a size. Gaps that are very long for their
-/// width are followed down to a `gap_floor` only, so that the number of samples stays in proportion
-/// to the domain.
+/// gap, in every sharp corner, and where the caller gives a size (or its size_cones there). Gaps
+/// that are very long for their width are followed down to a `gap_floor` only, so that the number
+/// of samples stays in proportion to the domain.
 class BoundarySpacing {
  public:
   BoundarySpacing(const Domain& domain, std::span<const Segment> segments,
@@ -40,11 +41,12 @@ class BoundarySpacing {
   double gap_floor() const { return gap_floor_; }
 
  private:
-  BoundarySpacing(std::vector<Sample> samples, std::vector<double> bound,
+  BoundarySpacing(std::vector<Sample> samples, LeastCone cones, std::vector<double> bound,
                   const SpacingOptions& options);
 
   SpacingOptions options_;
   std::vector<Sample> samples_;
+  LeastCone cones_;
   std::vector<double> bound_;  // #P
   double gap_floor_ = 0;
   BoxTree tree_;

@@ -33,6 +33,7 @@ Fields::Fields(const Fields& other)
       pull(other.pull),
       stretch(other.stretch),
       singularities(other.singularities),
+      has_spots(other.has_spots),
       locator(background),
       cells_(other.cells_) {}
 
@@ -43,6 +44,7 @@ Fields::Fields(Fields&& other) noexcept
       pull(std::move(other.pull)),
       stretch(std::move(other.stretch)),
       singularities(std::move(other.singularities)),
+      has_spots(other.has_spots),
       locator(background),
       cells_(std::move(other.cells_)) {}
 
@@ -53,6 +55,7 @@ Fields& Fields::operator=(Fields other) noexcept {
   pull = std::move(other.pull);
   stretch = std::move(other.stretch);
   singularities = std::move(other.singularities);
+  has_spots = other.has_spots;
   cells_ = std::move(other.cells_);
   locator = Locator(background);
   return *this;

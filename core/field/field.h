@@ -49,6 +49,9 @@ struct Fields {
   /// is for, at most most_stretch; crosses and sizes are those after stretched(., mu).
   std::vector<Vec2> stretch;
   std::vector<Singularity> singularities;
+  /// h is small at isolated points and grows steeply around them: what judges the mesh by averages
+  /// is to look at every face there.
+  bool has_spots = false;
   Locator locator;  // over `background`
 
   Fields() = default;

@@ -83,6 +83,10 @@ Problem judge(const FieldOptions& options) {
   return std::nullopt;
 }
 
+double largest_size(const FieldOptions& options) {
+  return options.size > 0 ? options.size : std::numeric_limits<double>::infinity();
+}
+
 // Sizes at the vertices as asked for, before any limit; infinite where nothing is asked.
 std::vector<double> asked_sizes(const TriMesh& mesh, const BoundaryMesh& boundary,
                                 const FieldOptions& options) {
@@ -93,46 +97,18 @@ std::vector<double> asked_sizes(const TriMesh& mesh, const BoundaryMesh& boundar
     return h;
   }
   if (options.size > 0 || !options.sizes.empty())
-    return std::vector<double>(mesh.points.size(), options.size > 0
-                                                       ? options.size
-                                                       : std::numeric_limits<double>::infinity());
+    return std::vector<double>(mesh.points.size(), largest_size(options));
   return harmonic_size(mesh, boundary);
 }
 
-// From a point to the triangle it is in (0), or beside.
-double distance_to_triangle(const TriMesh& mesh, Index t, Vec2 p) {
-  const Tri& tri = mesh.triangles[t];
-  double nearest = std::numeric_limits<double>::infinity();
-  bool inside = true;
-  for (int k = 0; k < 3; ++k) {
-    const Vec2 a = mesh.points[tri[k]], b = mesh.points[tri[(k + 1) % 3]];
-    inside = inside && cross(b - a, p - a) >= 0;
-    nearest = std::min(nearest, distance(p, closest_point(p, a, b)));
-  }
-  return inside ? 0 : nearest;
-}
-
-// Each value given at a point holds in its triangle, so that sampling there returns it; the growth
-// limit does the rest. Outside the domain, where nothing is meshed, a value grows on its way in.
-void apply_samples(const TriMesh& mesh, const FieldOptions& options, std::span<double> h) {
-  if (options.sizes.empty() || options.size_function) return;
-  const Locator locator(mesh);
-  Index hint = none;
-  for (const SizeSample& s : options.sizes) {
-    const Index t = locator.find_nearest(s.position, hint);
-    if (t == none) continue;
-    const double grown = s.h + options.growth * distance_to_triangle(mesh, t, s.position);
-    for (const Index v : mesh.triangles[t]) h[v] = std::min(h[v], grown);
-  }
-}
-
 Problem complete_sizes(const TriMesh& mesh, const BoundaryMesh& boundary,
-                       const FieldOptions& options, std::span<double> h) {
+                       const FieldOptions& options, std::span<const SizeCone> cones,
+                       std::span<double> h) {
   for (std::size_t v = 0; v < h.size(); ++v)
     if (!(h[v] > 0) || (options.size_function && !std::isfinite(h[v])))
       return error_at(ErrorCode::bad_size, "The mesh size is not a positive number here.",
                       mesh.points[v]);
-  apply_samples(mesh, options, h);
+  limit_by_cones(mesh, cones, options.growth, h);
   limit_by_walls(boundary, h);
   limit_growth(mesh, options.growth, h);
   return std::nullopt;
@@ -166,9 +142,19 @@ Result<CrossField> crosses(const TriMesh& mesh, const FieldOptions& options,
   return field;
 }
 
-BackgroundBuilder builder_for(const BoundaryMesh& boundary, const FieldOptions& options) {
+// So that the background shows the disc of a cone; its middle is a source already.
+void add_rim(const SizeCone& cone, std::vector<Source>& sources) {
+  if (!(cone.reach > 0)) return;
+  const double r = cone.reach, q = std::sqrt(0.5) * r;
+  for (const Vec2 d : {Vec2{r, 0}, {q, q}, {0, r}, {-q, q}, {-r, 0}, {-q, -q}, {0, -r}, {q, -q}})
+    sources.push_back({cone.tip + d, cone.h});
+}
+
+BackgroundBuilder builder_for(const BoundaryMesh& boundary, const FieldOptions& options,
+                              std::span<const SizeCone> cones) {
   std::vector<Source> sources;
   for (const SizeSample& s : options.sizes) sources.push_back({s.position, s.h});
+  for (const SizeCone& cone : cones) add_rim(cone, sources);
   const double detail = options.function_detail > 0
                             ? options.function_detail
                             : function_resolution * longer_side(box_of(boundary.points));
@@ -177,11 +163,12 @@ BackgroundBuilder builder_for(const BoundaryMesh& boundary, const FieldOptions& 
 
 // The coarse background and the sizes at its vertices.
 Result<TriMesh> coarse_sizes(const BackgroundBuilder& builder, const BoundaryMesh& boundary,
-                             const FieldOptions& options, std::vector<double>& h) {
+                             const FieldOptions& options, std::span<const SizeCone> cones,
+                             std::vector<double>& h) {
   Result<TriMesh> coarse = builder.coarse();
   if (!coarse) return coarse;
   h = asked_sizes(*coarse, boundary, options);
-  if (auto error = complete_sizes(*coarse, boundary, options, h)) return std::move(*error);
+  if (auto error = complete_sizes(*coarse, boundary, options, cones, h)) return std::move(*error);
   return coarse;
 }
 
@@ -220,19 +207,27 @@ Result<TriMesh> fine_background(BackgroundBuilder& builder, const TriMesh& coars
 
 }  // namespace
 
+std::vector<SizeCone> size_cones_of(const FieldOptions& options) {
+  if (options.size_function) return {};
+  return size_cones(options.sizes, options.growth, largest_size(options));
+}
+
 Result<double> estimate_quads(const BoundaryMesh& boundary, const FieldOptions& options) {
   if (auto error = judge(options)) return std::move(*error);
   std::vector<double> h;
-  const Result<TriMesh> mesh = coarse_sizes(builder_for(boundary, options), boundary, options, h);
+  const std::vector<SizeCone> cones = size_cones_of(options);
+  const Result<TriMesh> mesh =
+      coarse_sizes(builder_for(boundary, options, cones), boundary, options, cones, h);
   if (!mesh) return mesh.error();
   return quads_of(*mesh, h);
 }
 
 Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& options) {
   if (auto error = judge(options)) return std::move(*error);
-  BackgroundBuilder builder = builder_for(boundary, options);
+  const std::vector<SizeCone> cones = size_cones_of(options);
+  BackgroundBuilder builder = builder_for(boundary, options, cones);
   std::vector<double> coarse_h;
-  const Result<TriMesh> coarse = coarse_sizes(builder, boundary, options, coarse_h);
+  const Result<TriMesh> coarse = coarse_sizes(builder, boundary, options, cones, coarse_h);
   if (!coarse) return coarse.error();
   if (const double quads = quads_of(*coarse, coarse_h); quads > options.max_quads)
     return too_many_elements(quads, options.max_quads);
@@ -251,7 +246,7 @@ Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& opt
     fields.h.assign(coarse_h.begin(), coarse_h.begin() + boundary.points.size());
     fields.h.insert(fields.h.end(), interior_h.begin(), interior_h.end());
   }
-  if (auto error = complete_sizes(fields.background, boundary, options, fields.h))
+  if (auto error = complete_sizes(fields.background, boundary, options, cones, fields.h))
     return std::move(*error);
   auto field = crosses(fields.background, options, guides);
   if (!field) return field.error();
@@ -260,6 +255,7 @@ Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& opt
   if (options.stretch_function)
     for (const Vec2 p : fields.background.points)
       fields.stretch.push_back(options.stretch_function(p));
+  fields.has_spots = wider_than_growth(cones, options.growth);
   fields.singularities = find_singularities(fields.background, fields.z);
   fields.attach();
   return fields;

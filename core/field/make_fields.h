@@ -7,6 +7,7 @@
 
 #include "base/result.h"
 #include "domain/boundary.h"
+#include "domain/size_cones.h"
 #include "field/field.h"
 
 namespace lpq {
@@ -33,6 +34,9 @@ struct FieldOptions {
 /// (see Where::guide); too_many_elements where the sizes ask for more than `max_quads`. Cost: two
 /// sparse Cholesky factorisations of the background.
 Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& options = {});
+
+/// What the sizes at points ask for; nothing beside a function of sizes.
+std::vector<SizeCone> size_cones_of(const FieldOptions& options);
 
 /// About how many quads these sizes ask for, the integral of 1/h^2, from the coarse background
 /// alone. Errors: those of the sizes above.

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <queue>
+#include <tuple>
 
+#include "delaunay/locate.h"
+#include "geometry/segment.h"
 #include "mesh/neighbours.h"
 #include "numerics/elementary.h"
 #include "numerics/sparse.h"
@@ -38,6 +42,35 @@ void assemble(const TriMesh& mesh, std::span<const Index> unknown, std::span<con
   }
 }
 
+/// A vertex that a cone has lowered to h.
+struct Lowered {
+  double h;
+  Index vertex, cone;
+  bool operator>(const Lowered& other) const {
+    return std::tie(h, vertex, cone) > std::tie(other.h, other.vertex, other.cone);
+  }
+};
+
+/// From the vertices in the queue on to all that their cones lower.
+void spread(const TriMesh& mesh, std::span<const SizeCone> cones, std::vector<Lowered> from,
+            std::span<double> h) {
+  const Csr<Index> neighbours = vertex_neighbours(mesh.triangles, mesh.vertex_count());
+  std::priority_queue<Lowered, std::vector<Lowered>, std::greater<>> queue(std::greater<>{},
+                                                                           std::move(from));
+  while (!queue.empty()) {
+    const Lowered top = queue.top();
+    queue.pop();
+    if (top.h > h[top.vertex]) continue;
+    const SizeCone& cone = cones[top.cone];
+    for (const Index w : neighbours.row(top.vertex)) {
+      const double lower = cone.at(distance(cone.tip, mesh.points[w]));
+      if (!(lower < h[w])) continue;
+      h[w] = lower;
+      queue.push({lower, w, top.cone});
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<double> harmonic_size(const TriMesh& mesh, const BoundaryMesh& boundary) {
@@ -67,6 +100,37 @@ std::vector<double> harmonic_size(const TriMesh& mesh, const BoundaryMesh& bound
 void limit_by_walls(const BoundaryMesh& boundary, std::span<double> h) {
   for (std::size_t v = 0; v < boundary.spacing.size(); ++v)
     if (boundary.spacing[v] > 0) h[v] = std::min(h[v], boundary.spacing[v]);
+}
+
+double distance_to_triangle(const TriMesh& mesh, Index t, Vec2 p) {
+  const Tri& tri = mesh.triangles[t];
+  double nearest = std::numeric_limits<double>::infinity();
+  bool inside = true;
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 a = mesh.points[tri[k]], b = mesh.points[tri[(k + 1) % 3]];
+    inside = inside && cross(b - a, p - a) >= 0;
+    nearest = std::min(nearest, distance(p, closest_point(p, a, b)));
+  }
+  return inside ? 0 : nearest;
+}
+
+void limit_by_cones(const TriMesh& mesh, std::span<const SizeCone> cones, double growth,
+                    std::span<double> h) {
+  if (cones.empty()) return;
+  const Locator locator(mesh);
+  Index hint = none;
+  std::vector<Lowered> lowered;
+  for (Index c = 0; c < static_cast<Index>(cones.size()); ++c) {
+    const SizeCone& cone = cones[c];
+    const Index t = locator.find_nearest(cone.tip, hint);
+    if (t == none) continue;
+    const double there = cone.at(distance_to_triangle(mesh, t, cone.tip));
+    for (const Index v : mesh.triangles[t]) {
+      h[v] = std::min(h[v], there);
+      lowered.push_back({there, v, c});
+    }
+  }
+  if (wider_than_growth(cones, growth)) spread(mesh, cones, std::move(lowered), h);
 }
 
 void limit_growth(const TriMesh& mesh, double growth, std::span<double> h) {

@@ -4,8 +4,8 @@
 
 namespace lpq {
 
-PatchGrowth::PatchGrowth(const QuadTopology& mesh, const IdealValence& ideal)
-    : mesh_(mesh), ideal_(ideal) {}
+PatchGrowth::PatchGrowth(const QuadTopology& mesh, const IdealValence& ideal, bool takes_triangles)
+    : mesh_(mesh), ideal_(ideal), takes_triangles_(takes_triangles) {}
 
 void PatchGrowth::clear() {
   for (const Index f : faces_) inside_[f] = 0;
@@ -13,6 +13,7 @@ void PatchGrowth::clear() {
   faces_.clear();
   vertices_.clear();
   unchecked_.clear();
+  triangles_ = 0;
   broken_ = false;
   inside_.resize(mesh_.face_slots(), 0);
   count_.resize(mesh_.vertex_count(), 0);
@@ -22,14 +23,16 @@ void PatchGrowth::clear() {
 void PatchGrowth::add_face(Index f) {
   if (inside_[f]) return;
   const Face& face = mesh_.face(f);
-  if (face[3] == none) {
+  const int n = corner_count(face);
+  if (n == 3 && !takes_triangles_) {
     broken_ = true;
     return;
   }
+  triangles_ += n == 3;
   inside_[f] = 1;
   faces_.push_back(f);
-  for (int k = 0; k < 4; ++k) {
-    const Index v = face[k], w = face[(k + 1) & 3];
+  for (int k = 0; k < n; ++k) {
+    const Index v = face[k], w = face[(k + 1) % n];
     if (count_[v]++ == 0) vertices_.push_back(v);
     unchecked_.push_back(v);
     if (!mesh_.is_wall(v, w)) continue;
@@ -141,9 +144,11 @@ bool PatchGrowth::outline(PatchOutline& result) const {
       if (!on_loop_[v]) result.inside.push_back(v);
   for (const Index v : loop) on_loop_[v] = 0;
   if (!simple) return false;
-  // Euler: V - E + F = 1 with E = (4 F + L) / 2.
-  const std::size_t length = loop.size();
-  if (length % 2 != 0 || vertices_.size() != 1 + faces_.size() + length / 2) return false;
+  // Euler: V - E + F = 1 with E = (4 F - T + L) / 2, and of quads alone if it is refilled.
+  const std::size_t length = loop.size(), triangles = static_cast<std::size_t>(triangles_);
+  if (length % 2 != 0 || triangles % 2 != 0 ||
+      vertices_.size() + triangles / 2 != 1 + faces_.size() + length / 2)
+    return false;
   for (const Index v : result.inside) {
     if (mesh_.is_fixed(v)) return false;
     result.weight += irregularity(mesh_.valence(v), 4, false);

@@ -1,4 +1,5 @@
-// A growing set of faces that is to become a patch: a disk of quads without fixed vertices or walls
+// A growing set of faces that is to become a patch: a disk of quads (and of pairs of triangles,
+// where these may be mended, too) without fixed vertices or walls
 // inside, whose outline bends outwards only. Where it would bend inwards the missing faces are
 // added; so the irregular vertices on the rim are always mended from inside.
 #pragma once
@@ -20,7 +21,7 @@ struct PatchOutline {
 
 class PatchGrowth {
  public:
-  PatchGrowth(const QuadTopology& mesh, const IdealValence& ideal);
+  PatchGrowth(const QuadTopology& mesh, const IdealValence& ideal, bool takes_triangles = false);
 
   void clear();
   void add_face(Index f);
@@ -28,12 +29,15 @@ class PatchGrowth {
   void add_star(Index v);
   void add_ring();
   /// Adds faces until the rim bends outwards everywhere. False when that needs more than `limit`
-  /// faces, or a triangle, or crosses a wall: the patch is beyond repair, however it grows.
+  /// faces, or a triangle that it may not take, or crosses a wall: the patch is beyond repair,
+  /// however it grows.
   bool close(Index limit);
-  /// The rim; false while the faces are not a disk or bend inwards at a fixed vertex.
+  /// The rim; false while the faces are not a disk, bend inwards at a fixed vertex, or hold an odd
+  /// number of triangles.
   bool outline(PatchOutline& result) const;
 
   const std::vector<Index>& faces() const { return faces_; }
+  Index triangles() const { return triangles_; }
   bool contains(Index f) const { return inside_[f] != 0; }
 
  private:
@@ -53,7 +57,9 @@ class PatchGrowth {
   std::vector<Index> faces_, vertices_;
   std::vector<Index> unchecked_;       // vertices whose bend may be inwards
   mutable std::vector<char> on_loop_;  // #V scratch
-  bool broken_ = false;                // a triangle or a wall inside
+  const bool takes_triangles_;
+  Index triangles_ = 0;  // of the faces
+  bool broken_ = false;  // a triangle that it may not take, or a wall inside
 };
 
 }  // namespace lpq

@@ -30,6 +30,16 @@ bool is_count_kept(double wanted, double before, double after) {
   return after <= before || after <= most_count * wanted;
 }
 
+// Where sizes are small at points, the count of a large patch does not tell whether a filling keeps
+// them: no face of it may be this many times as wide as the least size in it, unless one is
+// already.
+constexpr double most_coarseness = 2;
+
+// Share of the credit where triangles give way: their vertices count as irregular, though there is
+// no better number of faces beside a triangle. With all of it nearly every triangle goes, and mean
+// eta with them; with none nearly all stay, and the lowest eta of the quads beside them.
+constexpr double credit_of_triangles = 0.2;
+
 // What a change may cost at most: nothing, or with a temperature what chance allows [Metropolis].
 double most_change(const RefitRule& rule) {
   if (rule.temperature <= 0) return 0;
@@ -40,7 +50,10 @@ double most_change(const RefitRule& rule) {
 
 Refitter::Refitter(QuadTopology& mesh, const IdealValence& ideal, const Fields& fields,
                    const PatchOptions& options)
-    : mesh_(mesh), fields_(fields), options_(options), patch_(mesh, ideal) {}
+    : mesh_(mesh),
+      fields_(fields),
+      options_(options),
+      patch_(mesh, ideal, options.takes_triangles) {}
 
 Polygon Refitter::polygon() const {
   Polygon polygon;
@@ -58,12 +71,17 @@ double Refitter::wanted_quads() const {
   for (const Index f : patch_.faces()) {
     const Face& face = mesh_.face(f);
     Vec2 points[4];
-    for (int k = 0; k < 4; ++k) points[k] = mesh_.point(face[k]);
+    for (int k = 0; k < 4; ++k) points[k] = mesh_.point(face[k] == none ? face[0] : face[k]);
     const double h = fields_.size(
         midpoint(midpoint(points[0], points[2]), midpoint(points[1], points[3])), hint_);
     sum += 0.5 * std::fabs(cross(points[2] - points[0], points[3] - points[1])) / (h * h);
   }
   return sum;
+}
+
+/// Of which two triangles make one.
+double Refitter::patch_quads() const {
+  return static_cast<double>(patch_.faces().size()) - 0.5 * patch_.triangles();
 }
 
 /// What the outline, whose polygon is `shape`, can be filled with under the rule.
@@ -97,8 +115,10 @@ Refit Refitter::refit(const RefitRule& rule) {
 Trial Refitter::best_trial(const Surroundings& around, const Polygon& shape,
                            std::span<const Plan> plans, double best_change) {
   const double now = around.energy_now(options_.energy);
+  const double credit = options_.credit * (patch_.triangles() > 0 ? credit_of_triangles : 1);
   const double least_eta = std::min(options_.worst_eta, around.worst_eta_now());
-  const double wanted = wanted_quads(), before = static_cast<double>(patch_.faces().size());
+  const double coarsest = std::max(most_coarseness, around.coarseness_now());
+  const double wanted = wanted_quads(), before = patch_quads();
   Trial best;
   for (const Plan& plan : plans) {
     ++tried_;
@@ -106,14 +126,15 @@ Trial Refitter::best_trial(const Surroundings& around, const Polygon& shape,
     if (!is_count_kept(wanted, before, static_cast<double>(filling.faces.size()))) continue;
     const double gain = outline_.weight - outline_.rim_weight - plan.irregular;
     // What is there already: annealing would draw and accept it in every second trial.
-    if (gain == 0 && filling.faces.size() == patch_.faces().size() &&
+    if (gain == 0 && patch_.triangles() == 0 && filling.faces.size() == patch_.faces().size() &&
         is_like_patch(filling, outline_, mesh_))
       continue;
     Trial trial = around.place(filling);
-    const double even = now + options_.credit * gain;
+    const double even = now + credit * gain;
     if (!around.relax(trial, {.energy = options_.energy, .bound = even + best_change})) continue;
     const double change = trial.energy - even;
     if (change >= best_change || worst_eta(trial.mesh) < least_eta) continue;
+    if (around.coarseness(trial.mesh) > coarsest) continue;
     best_change = change;
     best = std::move(trial);
   }

@@ -38,6 +38,7 @@ class Refitter {
  private:
   Polygon polygon() const;
   double wanted_quads() const;
+  double patch_quads() const;
   std::vector<Plan> plans(const Polygon& shape, const RefitRule& rule) const;
   Trial best_trial(const Surroundings& around, const Polygon& shape, std::span<const Plan> plans,
                    double best_change);

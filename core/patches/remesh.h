@@ -38,7 +38,8 @@ struct PatchOptions {
   int plans = 6;            // fillings tried per patch
   int rings = 1;            // of vertices around a patch that give way to it
   std::vector<PatchPass> passes{{20}, {60}, {200}};
-  int smoothing = 40;  // iterations after each pass
+  int smoothing = 40;            // iterations after each pass
+  bool takes_triangles = false;  // patches with an even number of them are refilled, too
   std::uint64_t seed = 1;
 };
 

@@ -25,6 +25,20 @@ bool contains(std::span<const Index> sorted, Index value) {
   return std::binary_search(sorted.begin(), sorted.end(), value);
 }
 
+/// Side of the square of the face's area over the least size at its corners and centre.
+double coarseness_of(const Fields& fields, const std::vector<Vec2>& points, const Face& face,
+                     Index& hint) {
+  double least = fields.size(centre_of(points, face), hint), area = 0;
+  const Vec2 a = points[face[0]];
+  const int n = corner_count(face);
+  for (int k = 0; k < n; ++k) {
+    const Vec2 b = points[face[k]], c = points[face[(k + 1) % n]];
+    least = std::min(least, fields.size(b, hint));
+    area += 0.5 * cross(b - a, c - a);
+  }
+  return std::sqrt(std::max(area, 0.0)) / least;
+}
+
 }  // namespace
 
 void Aims::append(const Aims& others) {
@@ -121,6 +135,23 @@ double Surroundings::worst_eta_now() const {
   for (const std::vector<Index>* faces : {&patch_, &outside_})
     for (const Index f : *faces) worst = std::min(worst, face_eta(mesh_.points(), mesh_.face(f)));
   return worst;
+}
+
+double Surroundings::coarseness_now() const {
+  double most = 0;
+  if (!fields_.has_spots) return most;
+  for (const std::vector<Index>* faces : {&patch_, &outside_})
+    for (const Index f : *faces)
+      most = std::max(most, coarseness_of(fields_, mesh_.points(), mesh_.face(f), hint_));
+  return most;
+}
+
+double Surroundings::coarseness(const QuadMesh& mesh) const {
+  double most = 0;
+  if (!fields_.has_spots) return most;
+  for (const Face& face : mesh.faces)
+    most = std::max(most, coarseness_of(fields_, mesh.points, face, hint_));
+  return most;
 }
 
 Trial Surroundings::place(const Filling& filling) const {

@@ -44,6 +44,10 @@ class Surroundings {
   double energy_now(const EtaEnergyOptions& options) const;
   /// Least eta of the same faces.
   double worst_eta_now() const;
+  /// How much wider any of them is than the least size in it, 0 where fields have no spots; and the
+  /// same of a trial.
+  double coarseness_now() const;
+  double coarseness(const QuadMesh& mesh) const;
 
   Trial place(const Filling& filling) const;
   /// Untangles where needed and lowers the energy. False when given up, or when a face stays that

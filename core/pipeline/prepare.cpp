@@ -7,6 +7,7 @@
 #include "base/words.h"
 #include "field/make_fields.h"
 #include "geometry/box.h"
+#include "pipeline/idle_sizes.h"
 #include "pipeline/user_fields.h"
 
 namespace lpq {
@@ -249,6 +250,9 @@ Result<Preparation> prepare(const DomainInput& input, const Options& options,
   auto fields = make_fields(prepared.boundary, graded->fields);
   if (!fields) return in_world(fields.error(), frame);
   prepared.fields = std::move(*fields);
+  for (Warning& warning :
+       idle_sizes(given, frame, prepared.boundary, graded->fields, prepared.fields))
+    prepared.boundary.warnings.push_back(std::move(warning));
   for (const Vec2 seed : given.seeds) prepared.seeds.push_back(frame.to_frame(seed));
   return prepared;
 }

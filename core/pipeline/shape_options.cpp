@@ -19,6 +19,7 @@ PatchOptions patch_options(const Options& options) {
   const SmoothOptions smoothing = shape_smoothing(options);
   PatchOptions patches;
   patches.seed = options.seed;
+  patches.takes_triangles = options.elements == Elements::quad_dominant;
   patches.energy = {.size_weight = smoothing.size_weight,
                     .area_weight = smoothing.area_weight,
                     .rounding = coarse_rounding,

@@ -12,11 +12,6 @@ constexpr double least_size = 1e-150, greatest_size = 1e150;
 
 bool is_size(double h) { return std::isfinite(h) && h > 0; }
 
-/// So that distances from the domain can be computed.
-bool is_within_reach(Vec2 point, const UnitFrame& frame) {
-  return std::isfinite(squared_length(frame.to_frame(point)));
-}
-
 Problem judge_sizes(const std::vector<UserFields::SizeAt>& sizes) {
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     const UserFields::SizeAt& size = sizes[i];
@@ -48,6 +43,10 @@ Problem judge_guide(const UserFields::Guide& guide, Index number, const UnitFram
 }
 
 }  // namespace
+
+bool is_within_reach(Vec2 point, const UnitFrame& frame) {
+  return std::isfinite(squared_length(frame.to_frame(point)));
+}
 
 Problem judge_user_fields(const UserFields& user, const UnitFrame& frame) {
   if (Problem problem = judge_sizes(user.sizes)) return problem;

@@ -15,11 +15,14 @@ namespace lpq {
 /// for its place or a point of a guide; bad_option for a guide that goes too far from the domain.
 Problem judge_user_fields(const UserFields& user, const UnitFrame& frame);
 
+/// Whether distances from the domain can be computed.
+bool is_within_reach(Vec2 point, const UnitFrame& frame);
+
 /// A size where it is a positive number; anything else as it is.
 double size_in_frame(double size, const UnitFrame& frame);
 
-/// The sizes at points, which are judged already, without those so far away that they ask nothing
-/// of the domain.
+/// The sizes at points, which are judged already, without those out of reach: they ask nothing of
+/// the domain.
 std::vector<SizeSample> samples_in_frame(const UserFields& user, const UnitFrame& frame);
 
 }  // namespace lpq

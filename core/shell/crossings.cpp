@@ -18,6 +18,9 @@ constexpr double least_depth = 1e-3;
 // Over the longer of two sides: the normal of a triangle that is not as high may be anything.
 constexpr double least_height = 1e-4;
 constexpr std::size_t most_crossings = 10'000;  // that are counted
+// Of the size, and of the side of the smaller face where that is less: bodies that go less deep
+// into each other fit. Facets of a round thing and of its hole cross at small angles only.
+constexpr double fitting_depth = 0.1, fitting_share = 0.15;
 
 /// Half a quad, or a triangle.
 struct Corners {
@@ -60,9 +63,11 @@ bool cut(const Corners& s, const Corners& t, double depth, Vec3 (&ends)[2]) {
   return true;
 }
 
-/// Both cut the line where their planes meet: do they share some of it?
-bool go_through(const Corners& s, const Corners& t, Vec3& at) {
-  const double depth = least_depth * std::min(s.side, t.side);
+/// Both cut the line where their planes meet: do they share some of it? `fit`: what may be so deep
+/// as long as it is not for its side.
+bool go_through(const Corners& s, const Corners& t, double fit, Vec3& at) {
+  const double side = std::min(s.side, t.side);
+  const double depth = std::max(least_depth * side, std::min(fit, fitting_share * side));
   Vec3 of_s[2], of_t[2];
   if (!cut(s, t, depth, of_s) || !cut(t, s, depth, of_t)) return false;
   const Vec3 line = of_s[1] - of_s[0];
@@ -75,22 +80,22 @@ bool go_through(const Corners& s, const Corners& t, Vec3& at) {
 
 /// With these diagonals.
 bool go_through(std::span<const Vec3> points, const Face& f, int diagonal_of_f, const Face& g,
-                int diagonal_of_g, Vec3& at) {
+                int diagonal_of_g, double fit, Vec3& at) {
   Corners s[2], t[2];
   const int m = halves(points, f, diagonal_of_f, s), n = halves(points, g, diagonal_of_g, t);
   for (int k = 0; k < m; ++k)
     for (int l = 0; l < n; ++l)
-      if (go_through(s[k], t[l], at)) return true;
+      if (go_through(s[k], t[l], fit, at)) return true;
   return false;
 }
 
 /// Whichever diagonals they have: how a quad bends between its corners is open.
-bool go_through(std::span<const Vec3> points, const Face& f, const Face& g, Vec3& at) {
+bool go_through(std::span<const Vec3> points, const Face& f, const Face& g, double fit, Vec3& at) {
   for (const Index v : f)
     if (v != none && std::find(g.begin(), g.end(), v) != g.end()) return false;
   for (int i = 0; i < corner_count(f) - 2; ++i)
     for (int j = 0; j < corner_count(g) - 2; ++j)
-      if (!go_through(points, f, i, g, j, at)) return false;
+      if (!go_through(points, f, i, g, j, fit, at)) return false;
   return true;
 }
 
@@ -119,12 +124,10 @@ void find_later(const SpaceTree& tree, std::span<const Box3> boxes, Index f,
   sort_numbers(found, [](Index i, Index j) { return i < j; });
 }
 
-}  // namespace
-
-std::vector<FaceCrossing> find_crossings(std::span<const Vec3> points, std::span<const Face> faces,
-                                         std::span<const Index> body, std::size_t limit) {
-  std::vector<FaceCrossing> crossings;
-  if (faces.empty()) return crossings;
+/// Calls visit(f, g) for the pairs of faces whose boxes overlap, ascending, until it says false.
+template <class Visit>
+void for_near_pairs(std::span<const Vec3> points, std::span<const Face> faces, Visit visit) {
+  if (faces.empty()) return;
   std::vector<Box3> boxes;
   std::vector<Vec3> centres;
   for (const Face& face : faces) {
@@ -133,16 +136,42 @@ std::vector<FaceCrossing> find_crossings(std::span<const Vec3> points, std::span
   }
   const SpaceTree tree(boxes, centres);
   std::vector<Index> later;
-  Vec3 at;
   for (Index f = 0; f < static_cast<Index>(faces.size()); ++f) {
     find_later(tree, boxes, f, later);
-    for (const Index g : later) {
-      if (!body.empty() && body[faces[f][0]] != body[faces[g][0]]) continue;
-      if (go_through(points, faces[f], faces[g], at)) crossings.push_back({{f, g}, at});
-      if (crossings.size() == limit) return crossings;
-    }
+    for (const Index g : later)
+      if (!visit(f, g)) return;
   }
+}
+
+}  // namespace
+
+std::vector<FaceCrossing> find_crossings(std::span<const Vec3> points, std::span<const Face> faces,
+                                         std::span<const Index> body, std::size_t limit) {
+  std::vector<FaceCrossing> crossings;
+  Vec3 at;
+  for_near_pairs(points, faces, [&](Index f, Index g) {
+    if (!body.empty() && body[faces[f][0]] != body[faces[g][0]]) return true;
+    if (go_through(points, faces[f], faces[g], 0, at)) crossings.push_back({{f, g}, at});
+    return crossings.size() != limit;
+  });
   return crossings;
+}
+
+GivenCrossings given_crossings(const SurfaceMesh& surface, std::span<const double> size) {
+  GivenCrossings given;
+  const std::vector<Face> triangles = faces_of(surface.triangles);
+  Vec3 at;
+  for_near_pairs(surface.points, triangles, [&](Index f, Index g) {
+    const Index v = triangles[f][0], w = triangles[g][0];
+    const bool same = surface.body_of(v) == surface.body_of(w);
+    std::vector<FaceCrossing>& list = same ? given.within : given.between;
+    if (list.size() == most_crossings) return true;
+    const double fit = same ? 0 : fitting_depth * std::min(size[v], size[w]);
+    if (go_through(surface.points, triangles[f], triangles[g], fit, at))
+      list.push_back({{f, g}, at, true});
+    return true;
+  });
+  return given;
 }
 
 std::vector<FaceCrossing> mesh_crossings(const SurfaceMesh& surface, const ShellMesh& mesh) {

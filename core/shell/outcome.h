@@ -55,7 +55,8 @@ struct ShellOutcome {
 
 /// Fills in what is known once the mesh is there: counts of features, charts and bodies, groups of
 /// faces, quality, sizes, distances and hash; warnings when quads are not convex, look against the
-/// surface or go through each other. `size`: #V, of the surface. Cost O(#T + #F log #F).
+/// surface or go through each other, or the given surface or its bodies do. `size`: #V, of the
+/// surface. Cost O(#T + #F log #F).
 void summarise(const SurfaceFeatures& features, const SurfaceCrossField& cross,
                std::span<const double> size, ShellOutcome& outcome);
 

@@ -86,6 +86,25 @@ TEST_CASE("sizes at points and size functions are met") {
     CHECK(function.size({x, 0.4}, hint) == lpq_test::Approx(0.02 + 0.1 * x).epsilon(0.02));
 }
 
+TEST_CASE("a size at a point holds around it before it may grow fast") {
+  const auto boundary = square_boundary(0.1);
+  FieldOptions options;
+  options.size = 0.1;
+  options.sizes = {{{0.47, 0.52}, 0.01}};
+  for (const double growth : {0.3, 1.0, 10.0}) {
+    options.growth = growth;
+    const Fields fields = fields_of(boundary, options);
+    check_slopes(fields, growth);
+    CHECK(fields.has_spots);
+    Index hint = none;
+    for (const Vec2 d : {Vec2{1, 0}, {0, 1}, {-0.6, 0.8}, {0.8, -0.6}})
+      CHECK(fields.size(Vec2{0.47, 0.52} + 0.03 * d, hint) < 0.016);
+    CHECK(fields.size({0.85, 0.85}, hint) == lpq_test::Approx(0.1));
+  }
+  options.growth = 0.08;
+  CHECK_FALSE(fields_of(boundary, options).has_spots);
+}
+
 TEST_CASE("a size at a point outside grows on its way in") {
   const auto boundary = square_boundary(0.1);
   FieldOptions options;

@@ -12,6 +12,7 @@
 
 using namespace lpq;
 using lpq_test::grid_mesh;
+using lpq_test::thrice_named_mesh;
 using lpq_test::two_region_mesh;
 
 namespace {
@@ -75,6 +76,23 @@ TEST_CASE("MSH gives points, faces, regions, tagged edges and points back") {
     CHECK(back->tagged_points[0].point == 6);
     CHECK(name_of(*back, back->tagged_points[0].tag) == "probe");
   }
+}
+
+TEST_CASE("regions of one name come back as one") {
+  const OutputMesh mesh = thrice_named_mesh();
+  const std::vector<std::string> names{"A", "B"};
+  for (const MshVersion version : {MshVersion::v2_2, MshVersion::v4_1}) {
+    const std::string text = write_msh(mesh, version);
+    CHECK(count(text, "\"A\"") == 1);
+    const auto back = read_msh(text);
+    REQUIRE(back.has_value());
+    CHECK(back->regions == names);
+    CHECK(named_faces(*back) == named_faces(mesh));
+  }
+  const auto back = read_obj(write_obj(mesh));
+  REQUIRE(back.has_value());
+  CHECK(back->regions == names);
+  CHECK(named_faces(*back) == named_faces(mesh));
 }
 
 TEST_CASE("MSH 4.1 follows the format: entities, blocks, tag ranges") {

@@ -15,6 +15,7 @@
 
 using namespace lpq;
 using lpq_test::grid_mesh;
+using lpq_test::thrice_named_mesh;
 using lpq_test::two_region_mesh;
 
 namespace {
@@ -91,6 +92,33 @@ TEST_CASE("INP elements are of the kind asked for, and shells have z and no surf
   CHECK(has(shell, "TYPE=S3\n"));
   CHECK(has(shell, "\n1, 0.0, 0.0, 0.0\n"));
   CHECK_FALSE(has(shell, "*SURFACE"));
+}
+
+TEST_CASE("regions of one name are one group in every format") {
+  OutputMesh mesh = thrice_named_mesh();
+  const std::string inp = write_inp(mesh);
+  CHECK(count_starts(inp, "*ELSET") == 2);
+  CHECK(has(inp, "*ELSET, ELSET=A, GENERATE\n1, 6, 1\n"));
+  CHECK(has(inp, "*ELSET, ELSET=B, GENERATE\n7, 9, 1\n"));
+  const std::string bdf = write_bdf(mesh);
+  CHECK(has(bdf, "$ PID 1 = region \"A\"\n$ PID 2 = region \"B\"\n$ PID 3 = edges"));
+  CHECK(count_starts(bdf, "CQUAD4         1       1") == 1);
+  CHECK(count_starts(bdf, "CQUAD4         3       1") == 1);
+  const std::string ply = write_ply(mesh);
+  CHECK(count_starts(ply, "comment region") == 2);
+  CHECK(count_starts(ply, "4 ") == 9);
+  const auto ends = [](const std::string& text, const std::string& end) {
+    const auto all = lines(text);
+    return std::count_if(all.begin(), all.end(), [&](const std::string& line) {
+      return line.rfind("4 ", 0) == 0 && line.substr(line.size() - end.size()) == end;
+    });
+  };
+  CHECK(ends(ply, " 0") == 6);
+  CHECK(ends(ply, " 1") == 3);
+  CHECK(has(write_vtk(mesh), "region_names 1 4 unsigned_char\n65 0\n66 0\n"));
+
+  mesh.regions = {"", "B", ""};  // what has no name shares none
+  CHECK(count_starts(write_inp(mesh), "*ELSET") == 3);
 }
 
 TEST_CASE("INP lines have at most 16 entries") {

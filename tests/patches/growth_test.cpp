@@ -109,3 +109,35 @@ TEST_CASE("walls are not crossed") {
   REQUIRE(patch.outline(outline));
   CHECK(outline.loop.size() == 12);
 }
+
+//  +--+--+--+--+     a quad cut in two on either side of the middle: the four rows are a patch
+//  where |  |  |\ |  |     pairs of triangles may be mended, and an end of the search where not
+//  +--+--+--+--+
+TEST_CASE("pairs of triangles are part of a patch where they may give way") {
+  QuadMesh start = grid(6, 6);
+  const auto cut = [&](Index f) {
+    const Face quad = start.faces[f];
+    start.faces[f] = {quad[0], quad[1], quad[2], none};
+    start.faces.push_back({quad[0], quad[2], quad[3], none});
+    start.region.push_back(0);
+  };
+  const QuadTopology uncut(start);
+  const Index v = vertex_at(uncut, {3, 3});
+  cut(uncut.faces_of(v)[0]);
+  const QuadTopology mesh(start);
+  const IdealValence ideal(mesh);
+  for (const bool takes_triangles : {false, true}) {
+    PatchGrowth patch(mesh, ideal, takes_triangles);
+    patch.clear();
+    patch.add_star(v);
+    patch.add_ring();
+    patch.add_ring();
+    CHECK(patch.close(100) == takes_triangles);
+    PatchOutline outline;
+    CHECK(patch.outline(outline) == takes_triangles);
+    if (!takes_triangles) continue;
+    CHECK(patch.triangles() == 2);
+    CHECK(outline.corner.size() == 4);
+    CHECK(outline.weight > 0);
+  }
+}

@@ -163,3 +163,23 @@ TEST_CASE("patches pay on curved domains, and sizes are kept") {
     CHECK(outcome->report.size.p90 < 1.35);
   }
 }
+
+TEST_CASE("where triangles may stay, few do, and quads are no worse than without") {
+  for (const double h : {0.05, 0.07}) {
+    DomainInput input;
+    input.regions.push_back({"", {circle({0, 0}, 1, h)}, {}});
+    const auto eta_of_quads = [](const OutputMesh& mesh) {
+      double sum = 0, count = 0;
+      for (const Face& face : mesh.faces)
+        if (corner_count(face) == 4) sum += face_eta(mesh.points, face), ++count;
+      return sum / count;
+    };
+    const auto mixed =
+        mesh_domain(input, {.keep_boundary = true, .elements = Elements::quad_dominant});
+    const auto quads = mesh_domain(input, {.keep_boundary = true, .allow_added_point = true});
+    REQUIRE(mixed);
+    REQUIRE(quads);
+    CHECK(mixed->report.quality.triangles < 0.04 * mixed->report.quality.quads);
+    CHECK(eta_of_quads(mixed->mesh) > eta_of_quads(quads->mesh) - 0.015);
+  }
+}

@@ -54,6 +54,36 @@ bool cross_somehow(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
   return false;
 }
 
+SurfaceSoup moved(SurfaceSoup soup, Vec3 by) {
+  for (Vec3& p : soup.points) p = p + by;
+  return soup;
+}
+
+/// A solid of n sides round the z axis, its corners turned by `turned`.
+SurfaceSoup prism(Index n, double radius, double height, double turned) {
+  SurfaceSoup soup;
+  for (Index i = 0; i < n; ++i)
+    for (const double z : {0.0, height}) {
+      const double angle = turned + turn * i / n;
+      soup.points.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
+    }
+  for (Index i = 0; i < n; ++i) {
+    const Index a = 2 * i, b = 2 * ((i + 1) % n);
+    soup.triangles.push_back({a, b, b + 1});
+    soup.triangles.push_back({a, b + 1, a + 1});
+    if (i == 0 || i == n - 1) continue;
+    soup.triangles.push_back({0, b, a});
+    soup.triangles.push_back({1, a + 1, b + 1});
+  }
+  return soup;
+}
+
+bool tells(const ShellOutcome& outcome, const std::string& words) {
+  for (const Warning& warning : outcome.report.warnings)
+    if (warning.message.find(words) != std::string::npos) return true;
+  return false;
+}
+
 /// Two half spheres of radius 1 and 1 - wall, closed by a rim.
 SurfaceSoup thin_dome(double wall) {
   SurfaceSoup soup = soup_of(sphere_cap(16, 0.25 * turn));
@@ -193,4 +223,32 @@ TEST_CASE("a surface that goes through itself is not what smaller quads mend") {
   REQUIRE_FALSE(crossings.empty());
   for (const FaceCrossing& crossing : crossings) CHECK(crossing.given);
   CHECK(told(outcome).find("The surface goes through itself there") != std::string::npos);
+}
+
+TEST_CASE("bodies that go into each other are told, those that fit are not") {
+  const SurfaceSoup box = box_soup({1, 1, 1}, 3), other = box_soup({1, 1, 1}, 4);
+  const std::string words = "go through each other: ";
+  const ShellOutcome deep =
+      meshed(as_bodies({box, moved(other, {0.43, 0.37, 0.41})}), {.size = 0.2});
+  CHECK(tells(deep, "Bodies 0 (body 1) and 1 (body 2) " + words));
+  CHECK(told(deep).empty());  // each mesh by itself is sound
+  const SurfaceSoup fine = box_soup({1, 1, 1}, 40);
+  CHECK(tells(meshed(as_bodies({fine, moved(fine, {0.43, 0.37, 0.41})}), {.size = 0.2}), words));
+  // Side by side, a little into each other, and a rod in another, of which it is as wide.
+  CHECK_FALSE(tells(meshed(as_bodies({box, moved(other, {1, 0.2, 0})}), {.size = 0.2}), words));
+  CHECK_FALSE(tells(meshed(as_bodies({box, moved(other, {0.99, 0.2, 0})}), {.size = 0.2}), words));
+  const SurfaceSoup rod = prism(24, 1, 3, 0), round = prism(24, 1, 3, turn / 60);
+  CHECK_FALSE(tells(meshed(as_bodies({rod, round}), {.size = 0.3}), words));
+}
+
+TEST_CASE("a surface that goes through itself is told though no quads do") {
+  SurfaceSoup soup = box_soup({1, 1, 1}, 3);
+  const SurfaceSoup pin = moved(prism(8, 0.03, 0.5, 0), {0.5, 0.5, 0.9});
+  const auto shift = static_cast<Index>(soup.points.size());
+  soup.points.insert(soup.points.end(), pin.points.begin(), pin.points.end());
+  for (const auto& [a, b, c] : pin.triangles)
+    soup.triangles.push_back({a + shift, b + shift, c + shift});
+  const ShellOutcome outcome = meshed(soup, {.size = 0.25});
+  CHECK((tells(outcome, "The surface goes through itself: ") || !told(outcome).empty()));
+  CHECK_FALSE(tells(meshed(box_soup({1, 1, 1}, 3), {.size = 0.25}), "goes through itself"));
 }

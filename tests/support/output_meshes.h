@@ -57,4 +57,13 @@ inline lpq::OutputMesh grid_mesh(int n) {
   return mesh;
 }
 
+/// Columns of three quads: the first and the last of one name.
+inline lpq::OutputMesh thrice_named_mesh() {
+  lpq::OutputMesh mesh = grid_mesh(3);
+  for (std::size_t f = 0; f < mesh.region.size(); ++f)
+    mesh.region[f] = static_cast<lpq::Index>(f % 3);
+  mesh.regions = {"A", "B", "A"};
+  return mesh;
+}
+
 }  // namespace lpq_test

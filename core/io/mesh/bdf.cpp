@@ -81,7 +81,8 @@ class BdfWriter {
 
   void face(std::size_t f) {
     const Face& corners = mesh_.faces[f];
-    std::vector<std::int64_t> fields{next_element_++, std::int64_t{mesh_.region[f]} + 1};
+    std::vector<std::int64_t> fields{next_element_++,
+                                     std::int64_t{model_.groups.of(mesh_.region[f])} + 1};
     for (int k = 0; k < corner_count(corners); ++k) fields.push_back(std::int64_t{corners[k]} + 1);
     append_bdf_entry(out_, corner_count(corners) == 4 ? "CQUAD4" : "CTRIA3", fields);
   }

@@ -12,9 +12,10 @@
 namespace lpq {
 
 /// GRID* with the best 16 characters of each coordinate (13 to 15 digits), CQUAD4 and CTRIA3 with
-/// one property number per region, the 1D mesh as CROD - of all line elements it is the one that
-/// needs no orientation and that readers know - with one property number per name, and a SET1 for
-/// each name of tagged points. Names stand in comments. No property or material is written.
+/// one property number per name of regions, the 1D mesh as CROD - of all line elements it is the
+/// one that needs no orientation and that readers know - with one property number per name, and a
+/// SET1 for each name of tagged points. Names stand in comments. No property or material is
+/// written.
 std::string write_bdf(const OutputMesh& mesh);
 
 /// One entry of integers, with its continuation lines; in large fields where an integer has more

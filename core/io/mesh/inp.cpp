@@ -26,7 +26,7 @@ class InpWriter {
     out_ = "*HEADING\nlpquad\n";
     nodes();
     number_of_face_.assign(mesh_.faces.size(), 0);
-    for (Index s = 0; s < model_.faces_of_region.rows(); ++s) region(s);
+    for (Index g = 0; g < model_.groups.count(); ++g) group(g);
     const auto edges = edges_of_names(model_);
     node_sets(edges);
     if (element_ != InpElement::s4) surfaces(edges);
@@ -67,12 +67,12 @@ class InpWriter {
 
   /// The set is a range of its own, not a parameter of *ELEMENT: some readers take the second
   /// *ELEMENT block of a set, that of the triangles, for the whole set.
-  void region(Index s) {
+  void group(Index g) {
     const std::int64_t first = next_element_;
-    for (const int corners : {4, 3}) elements(s, corners);
+    for (const int corners : {4, 3}) elements(g, corners);
     if (next_element_ == first) return;
     out_ += "*ELSET, ELSET=";
-    out_ += region_labels_.add(model_.surface_names[static_cast<std::size_t>(s)]);
+    out_ += region_labels_.add(model_.surface_names[static_cast<std::size_t>(g)]);
     out_ += ", GENERATE\n";
     integer(first);
     out_ += ", ";
@@ -80,25 +80,30 @@ class InpWriter {
     out_ += ", 1\n";
   }
 
-  void elements(Index s, int corners) {
+  void elements(Index g, int corners) {
     bool is_open = false;
-    for (const Index f : model_.faces_of_region.row(s)) {
-      const Face& face = mesh_.faces[static_cast<std::size_t>(f)];
-      if (corner_count(face) != corners) continue;
-      if (!is_open) {
-        out_ += "*ELEMENT, TYPE=";
-        out_ += type(corners);
-        out_ += '\n';
-        is_open = true;
+    for (const Index r : model_.groups.regions.row(g))
+      for (const Index f : model_.faces_of_region.row(r)) {
+        if (corner_count(mesh_.faces[static_cast<std::size_t>(f)]) != corners) continue;
+        if (!is_open) {
+          out_ += "*ELEMENT, TYPE=";
+          out_ += type(corners);
+          out_ += '\n';
+          is_open = true;
+        }
+        element(f);
       }
-      number_of_face_[static_cast<std::size_t>(f)] = next_element_;
-      integer(next_element_++);
-      for (int k = 0; k < corners; ++k) {
-        out_ += ", ";
-        integer(std::int64_t{face[k]} + 1);
-      }
-      out_ += '\n';
+  }
+
+  void element(Index f) {
+    const Face& face = mesh_.faces[static_cast<std::size_t>(f)];
+    number_of_face_[static_cast<std::size_t>(f)] = next_element_;
+    integer(next_element_++);
+    for (int k = 0; k < corner_count(face); ++k) {
+      out_ += ", ";
+      integer(std::int64_t{face[k]} + 1);
     }
+    out_ += '\n';
   }
 
   /// Points and edges of one name are one set.

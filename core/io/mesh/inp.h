@@ -18,11 +18,11 @@ struct ChoiceNames<InpElement> {
   static constexpr std::array<const char*, 4> names{"CPS4", "CPE4", "CAX4", "S4"};
 };
 
-/// One *ELSET per region, one *NSET per name of edges and tagged points, and one *SURFACE per name
-/// of edges (faces S1 .. S4 = corner 1-2, .. 4-1; of the element on the left of an edge inside).
-/// Shells have three coordinates and no *SURFACE: the two programs name their edges differently.
-/// A mesh in space is one of shells, whatever `element` says.
-/// Names become letters, digits and '_', unique without regard to case.
+/// One *ELSET per name of regions, one *NSET per name of edges and tagged points, and one *SURFACE
+/// per name of edges (faces S1 .. S4 = corner 1-2, .. 4-1; of the element on the left of an edge
+/// inside). Shells have three coordinates and no *SURFACE: the two programs name their edges
+/// differently. A mesh in space is one of shells, whatever `element` says. Names become letters,
+/// digits and '_', unique without regard to case.
 std::string write_inp(const OutputMesh& mesh, InpElement element = InpElement::cps4);
 
 }  // namespace lpq

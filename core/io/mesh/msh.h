@@ -1,8 +1,8 @@
 // Gmsh's MSH file format (Gmsh reference manual, "MSH file format"); written are versions 4.1 and
 // 2.2, ASCII.
-// Regions become physical surfaces; the 1D mesh is written as line elements, one curve for each
-// run of edges with equal regions, tag and loop, and one physical curve for each name; tagged
-// points become point elements with physical names.
+// Regions become surfaces, with one physical surface for each name; the 1D mesh is written as line
+// elements, one curve for each run of edges with equal regions, tag and loop, and one physical
+// curve for each name; tagged points become point elements with physical names.
 #pragma once
 
 #include <string>

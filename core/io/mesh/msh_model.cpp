@@ -68,11 +68,10 @@ void make_curves(const OutputMesh& mesh, MshModel& model) {
 }
 
 void make_surfaces(const OutputMesh& mesh, MshModel& model) {
-  const std::size_t count = std::max<std::size_t>(mesh.regions.size(), 1);
-  for (std::size_t r = 0; r < count; ++r) {
-    model.surface_names.push_back(region_label(mesh, static_cast<Index>(r)));
-  }
-  model.faces_of_region = members_of(mesh.region, count);
+  model.groups = region_groups(mesh);
+  for (Index g = 0; g < model.groups.count(); ++g)
+    model.surface_names.push_back(region_label(mesh, model.groups.first(g)));
+  model.faces_of_region = members_of(mesh.region, model.groups.group.size());
 }
 
 void classify_nodes(const OutputMesh& mesh, MshModel& model) {

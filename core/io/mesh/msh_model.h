@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/csr.h"
+#include "io/mesh/region_groups.h"
 #include "mesh/output_mesh.h"
 
 namespace lpq {
@@ -19,7 +20,8 @@ struct MshModel {
   };
   std::vector<Curve> curves;               // curve tag = index + 1
   std::vector<std::string> curve_names;    // physical curve tag = index + 1
-  std::vector<std::string> surface_names;  // physical surface tag = index + 1 = region + 1
+  RegionGroups groups;                     // physical surface tag = group + 1
+  std::vector<std::string> surface_names;  // of the groups
   std::vector<std::string> point_names;    // physical point tag = index + 1
   std::vector<Index> point_physical;       // #tagged_points  1-based
   Csr<Index> faces_of_region;              // surface tag = region + 1

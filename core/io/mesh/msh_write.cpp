@@ -92,6 +92,10 @@ class MshWriter {
     append_integer(out_, std::int64_t{v} + 1);
   }
 
+  std::size_t physical_surface(Index region) const {
+    return static_cast<std::size_t>(model_.groups.of(region)) + 1;
+  }
+
   void elements_2_2() {
     for (std::size_t p = 0; p < mesh_.tagged_points.size(); ++p) {
       element_2_2(type_point, static_cast<std::size_t>(model_.point_physical[p]), p + 1);
@@ -109,8 +113,8 @@ class MshWriter {
     }
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
       const Face& face = mesh_.faces[f];
-      const auto surface = static_cast<std::size_t>(mesh_.region[f]) + 1;
-      element_2_2(corner_count(face) == 4 ? type_quad : type_triangle, surface, surface);
+      element_2_2(corner_count(face) == 4 ? type_quad : type_triangle,
+                  physical_surface(mesh_.region[f]), static_cast<std::size_t>(mesh_.region[f]) + 1);
       for (int k = 0; k < corner_count(face); ++k) node(face[k]);
       text("\n");
     }
@@ -128,7 +132,7 @@ class MshWriter {
   Vec3 point(Index v) const { return mesh_.point(v); }
 
   void entities() {
-    const std::size_t surfaces = model_.surface_names.size();
+    const std::size_t surfaces = model_.groups.group.size();
     text("$Entities\n");
     line(mesh_.tagged_points.size(), model_.curves.size(), surfaces, 0);
     for (std::size_t p = 0; p < mesh_.tagged_points.size(); ++p) {
@@ -150,7 +154,7 @@ class MshWriter {
       }
       bounding_box(box);
       text(" 1 ");
-      integer(s + 1);
+      integer(physical_surface(static_cast<Index>(s)));
       const auto curves = bounding.row(static_cast<Index>(s));
       text(" ");
       integer(curves.size());
@@ -196,7 +200,7 @@ class MshWriter {
 
   void nodes_4_1() {
     const std::array<std::size_t, 3> entity_count{mesh_.tagged_points.size(), model_.curves.size(),
-                                                  model_.surface_names.size()};
+                                                  model_.groups.group.size()};
     // Bucket the nodes by entity, all dimensions in one list.
     std::array<std::size_t, 3> first{0, entity_count[0], entity_count[0] + entity_count[1]};
     std::vector<std::vector<Index>> nodes(first[2] + entity_count[2]);
@@ -240,7 +244,7 @@ class MshWriter {
   }
 
   void elements_4_1() {
-    const std::size_t surfaces = model_.surface_names.size();
+    const std::size_t surfaces = model_.groups.group.size();
     std::size_t blocks = mesh_.tagged_points.size() + model_.curves.size();
     for (std::size_t s = 0; s < surfaces; ++s)
       for (const int corners : {3, 4}) blocks += count_faces(s, corners) > 0 ? 1 : 0;

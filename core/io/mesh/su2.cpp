@@ -48,7 +48,8 @@ class Su2Writer {
       out_ += " to ";
       integer(end - 1);
       out_ += ": region ";
-      append_quoted_ascii(out_, model_.surface_names[static_cast<std::size_t>(s)], longest_name);
+      append_quoted_ascii(out_, model_.surface_names[static_cast<std::size_t>(model_.groups.of(s))],
+                          longest_name);
       out_ += '\n';
     }
     for (const OutputPoint& point : mesh_.tagged_points) {

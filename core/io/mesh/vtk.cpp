@@ -67,7 +67,7 @@ class VtkWriter {
     out_ += "FIELD FieldData ";
     append_integer(out_, count);
     out_ += '\n';
-    names("region_names", mesh_.regions);
+    names("region_names", group_names(mesh_, region_groups(mesh_)));
     names("tag_names", mesh_.tags);
   }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "io/mesh/region_groups.h"
 #include "mesh/output_mesh.h"
 
 namespace lpq {
@@ -15,8 +16,8 @@ struct VtkCell {
   int type = 0;
   int count = 0;  // of points
   Face points{none, none, none, none};
-  Index region = none, tag = none;
-  Index face = none;  // of the mesh, where the cell is one
+  Index region = none, tag = none;  // groups of regions
+  Index face = none;                // of the mesh, where the cell is one
 };
 
 inline std::size_t vtk_cell_count(const OutputMesh& mesh) {
@@ -27,16 +28,17 @@ inline std::size_t vtk_cell_count(const OutputMesh& mesh) {
 /// its left (right, where the left is outside); then for the tagged points, without a region.
 template <class Visit>
 void each_vtk_cell(const OutputMesh& mesh, Visit&& visit) {
+  const RegionGroups groups = region_groups(mesh);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const int count = corner_count(mesh.faces[f]);
-    visit(VtkCell{count == 4 ? vtk_quad : vtk_triangle, count, mesh.faces[f], mesh.region[f], none,
-                  static_cast<Index>(f)});
+    visit(VtkCell{count == 4 ? vtk_quad : vtk_triangle, count, mesh.faces[f],
+                  groups.of(mesh.region[f]), none, static_cast<Index>(f)});
   }
   for (const OutputEdge& edge : mesh.edges) {
     visit(VtkCell{vtk_line,
                   2,
                   {edge.a, edge.b, none, none},
-                  edge.left != none ? edge.left : edge.right,
+                  groups.of(edge.left != none ? edge.left : edge.right),
                   edge.tag});
   }
   for (const OutputPoint& point : mesh.tagged_points)

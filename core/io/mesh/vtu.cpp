@@ -87,7 +87,7 @@ std::string write_vtu(const OutputMesh& mesh) {
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\""
       " header_type=\"UInt64\">\n<UnstructuredGrid>\n<FieldData>\n";
-  append_names(out, "region_names", mesh.regions);
+  append_names(out, "region_names", group_names(mesh, region_groups(mesh)));
   append_names(out, "tag_names", mesh.tags);
   out += "</FieldData>\n<Piece NumberOfPoints=\"";
   append_integer(out, static_cast<std::int64_t>(mesh.points.size()));

@@ -1,0 +1,97 @@
+// Sizes at points, seen in the mesh: met where they are asked, and told where they are not.
+#include <cmath>
+
+#include "catch.h"
+#include "pipeline/finish.h"
+#include "pipeline/mesh_domain.h"
+#include "support/shapes.h"
+
+using namespace lpq;
+using namespace lpq_test;
+
+namespace {
+
+DomainInput sized(const Loop& outline, double h, std::vector<DomainInput::SizeAt> sizes) {
+  DomainInput input;
+  input.regions.push_back({"", {outline}, {}});
+  input.h = h;
+  input.sizes = std::move(sizes);
+  return input;
+}
+
+Loop square(double side) { return {{0, 0}, {side, 0}, {side, side}, {0, side}}; }
+
+// Side of the square of the area of the least face that holds the point.
+double width_at(const OutputMesh& mesh, Vec2 p) {
+  double least = 1e300;
+  for (const Face& face : mesh.faces) {
+    double area = 0;
+    bool inside = true;
+    for (int k = 0, n = corner_count(face); k < n; ++k) {
+      const Vec2 a = mesh.points[face[k]] - p, b = mesh.points[face[(k + 1) % n]] - p;
+      area += 0.5 * cross(a, b);
+      inside = inside && cross(a, b) >= -1e-12;
+    }
+    if (inside) least = std::min(least, std::sqrt(area));
+  }
+  return least;
+}
+
+Outcome meshed(const DomainInput& input, const Options& options) {
+  auto outcome = mesh_domain(input, options);
+  REQUIRE(outcome);
+  CHECK(check_output(outcome->mesh).empty());
+  return std::move(*outcome);
+}
+
+Index count_ignored(const std::vector<Warning>& warnings) {
+  Index count = 0;
+  for (const Warning& warning : warnings) count += warning.code == ErrorCode::ignored;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a size at a point is met however fast sizes may grow") {
+  const DomainInput inputs[] = {
+      sized(square(4), 0.5, {{{2.03, 1.97}, 0.05}}),
+      sized(square(4), 0.5, {{{1, 1}, 0.05}, {{3, 2.5}, 0.1}}),
+      sized(square(4), 0.5, {{{2, 2}, 0.25}}),
+      sized(square(10), 1, {{{5.1, 0.02}, 0.05}}),
+      sized(circle({0, 0}, 1, 0.1), 0.15, {{{0.2, 0.1}, 0.02}}),
+  };
+  for (const DomainInput& input : inputs)
+    for (const double growth : {0.3, 0.6, 2.0, 10.0}) {
+      const Outcome outcome = meshed(input, {.growth = growth});
+      for (const DomainInput::SizeAt& size : input.sizes)
+        CHECK(width_at(outcome.mesh, size.position) < 1.6 * size.h);
+      CHECK(outcome.report.quality.quads < 400);
+    }
+}
+
+TEST_CASE("sizes outside the domain that ask for nothing there are told once") {
+  const Vec2 near{1.02, 0.5}, far{7, 0.5};
+  const Options options{.growth = 0.08};
+  const auto warnings = [&](std::vector<DomainInput::SizeAt> sizes, const Options& how) {
+    return meshed(sized(square(1), 0.1, std::move(sizes)), how).report.warnings;
+  };
+  // Inside, on the wall, or near enough to be felt.
+  CHECK(count_ignored(warnings({{{0.5, 0.5}, 0.05}, {{1, 0.5}, 0.05}, {near, 0.05}}, options)) ==
+        0);
+  CHECK(count_ignored(warnings({{{0.5, 0.5}, 0.5}}, options)) == 0);
+  const auto told = warnings({{near, 0.05}, {far, 0.05}, {{-4, 2}, 0.01}}, options);
+  REQUIRE(count_ignored(told) == 1);
+  CHECK(told.front().message.find("2 of 3") != std::string::npos);
+  CHECK(told.front().where.has_point);
+  CHECK(told.front().where.x == far.x);
+  CHECK(told.front().where.y == far.y);
+  CHECK(count_ignored(warnings({{{1e300, 0}, 0.05}}, options)) == 1);
+}
+
+TEST_CASE("beside a kept boundary its spacing says whether a size outside matters") {
+  DomainInput input =
+      sized(sampled_polygon(square(1), 0.125), 0, {{{1.5, 0.5}, 0.02}, {{9, 9}, 0.02}});
+  const auto told = meshed(input, {.keep_boundary = true, .growth = 0.08}).report.warnings;
+  REQUIRE(count_ignored(told) == 1);
+  CHECK(told.front().where.x == 9);
+}
