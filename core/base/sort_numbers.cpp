@@ -6,7 +6,8 @@
 namespace lpq {
 
 void sort_numbers(std::span<Index> numbers, ComesBefore before) {
-  std::sort(numbers.begin(), numbers.end(), before);
+  std::sort(numbers.begin(), numbers.end(),
+            [&](Index i, Index j) { return before(i, j) || (i < j && !before(j, i)); });
 }
 
 std::vector<Index> sorted_numbers(std::size_t count, ComesBefore before) {

@@ -12,7 +12,7 @@
 
 namespace lpq {
 
-/// A total order wherever it matters which of two equals comes first.
+/// Of two equals the smaller number comes first, whatever the library's sort would make of them.
 using ComesBefore = FunctionRef<bool(Index, Index)>;
 
 /// O(n log n) calls. Where sorting takes time that shows, std::sort inlines them.
@@ -24,7 +24,8 @@ std::vector<Index> sorted_numbers(std::size_t count, ComesBefore before);
 /// Where i is in `ascending`, which holds it: numbers of a whole to those of a part.
 Index index_of(Index i, std::span<const Index> ascending);
 
-/// Values by the order of their numbers, where what a sort of their own would gain does not show.
+/// Values by the order of their numbers, where what a sort of their own would gain does not show;
+/// equals stay in their order.
 template <class T, class Before = std::less<>>
 void sort_values(std::vector<T>& values, const Before& before = {}) {
   std::vector<T> sorted;

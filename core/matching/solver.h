@@ -130,7 +130,11 @@ class BlossomSolver {
 
   // A quarter of Int's range to the power that lets any sum of four such numbers fit.
   static constexpr Int range = static_cast<Int>(Int{1} << (8 * sizeof(Int) - 4));
-  static bool later(const Event& a, const Event& b) { return a.key > b.key; }
+  /// No two different events are equal: which of them a heap gives first is not for the library of
+  /// the compiler to say.
+  static bool later(const Event& a, const Event& b) {
+    return a.key != b.key ? a.key > b.key : a.what > b.what;
+  }
 
   bool is_blossom(Index member) const { return member >= node_count_; }
   Blossom& blossom(Index member) { return blossoms_[member - node_count_]; }

@@ -65,6 +65,21 @@ function sizeOf(surface, quads) {
   return Number(Math.sqrt(area / quads).toPrecision(3));
 }
 
+const square = (x, y, side) => [[x, y], [x + side, y], [x + side, y + side], [x, y + side]];
+
+/** Symmetric outlines: many pairs of triangles cost the same, and what breaks the tie must not be a library's heap or sort. */
+function symmetric() {
+  const holes = Array.from({ length: 400 }, (_, k) => square(1 + 2 * (k % 20), 1 + 2 * Math.floor(k / 20), 1));
+  let flake = square(0, 0, 1);
+  for (let level = 0; level < 3; ++level)
+    flake = flake.flatMap(([x, y], i) => {
+      const [u, v] = flake[(i + 1) % flake.length], dx = (u - x) / 4, dy = (v - y) / 4;
+      return [[x, y], [x + dx, y + dy], [x + dx + dy, y + dy - dx], [x + 2 * dx + dy, y + 2 * dy - dx],
+        [x + 2 * dx, y + 2 * dy], [x + 2 * dx - dy, y + 2 * dy + dx], [x + 3 * dx - dy, y + 3 * dy + dx], [x + 3 * dx, y + 3 * dy]];
+    });
+  return { holes: { loops: [square(0, 0, 41), ...holes] }, flake: { loops: [flake] } };
+}
+
 async function makeCases() {
   const cases = [];
   const add = (file, kind, options) => {
@@ -74,6 +89,13 @@ async function makeCases() {
     cases.push({ name, kind, domain, file: plain, options: { ...options, ...(kind === 'polygon' &&
       { size: diagonal(domain.loops) * sizeShare }) } });
   };
+  for (const [name, domain] of Object.entries(symmetric())) {
+    const file = join(work, `${name}.json`);
+    writeFileSync(file, JSON.stringify(domain));
+    add(file, 'domain', {});
+    add(file, 'paper', { method: 'paper' });
+    add(file, 'kept', { keepBoundary: true });
+  }
   for (const file of jsonFiles('domains')) add(file, 'domain', { keepBoundary: true });
   for (const name of ['platehole', 'lshape', 'hood'])
     add(join(shared, `domains/${name}.json`), 'paper', { keepBoundary: true, method: 'paper' });

@@ -83,10 +83,28 @@ bool lies_along(const Part& part, std::span<const Vec2> uv, Index e, Index f, do
   return false;
 }
 
+/// Whether the border comes back to a vertex of the surface that it has passed, and to its place.
+bool is_pinched(const Part& part, std::span<const Vec2> uv, double gap) {
+  std::vector<Index> corners;
+  for (const Index e : part.loops.values) corners.push_back(part.origin(e));
+  sort_numbers(corners, [&](Index v, Index w) {
+    if (part.vertex[v] != part.vertex[w]) return part.vertex[v] < part.vertex[w];
+    return uv[v].x != uv[w].x ? uv[v].x < uv[w].x : v < w;
+  });
+  const auto may_meet = [&](Index v, Index w) {
+    return part.vertex[v] == part.vertex[w] && uv[w].x - uv[v].x <= gap;
+  };
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    for (std::size_t j = i + 1; j < corners.size() && may_meet(corners[i], corners[j]); ++j)
+      if (distance(uv[corners[i]], uv[corners[j]]) <= gap) return true;
+  return false;
+}
+
 bool borders_meet(const Part& part, std::span<const Vec2> uv) {
   const auto& border = part.loops.values;
   const Box extent = box_of(uv);
   const double gap = least_gap_share * distance(extent.lo, extent.hi);
+  if (is_pinched(part, uv, gap)) return true;
   const Vec2 margin{gap, gap};
   std::vector<Box> boxes;
   boxes.reserve(border.size());
