@@ -7,9 +7,11 @@
 #include "base/words.h"
 #include "shell/crossings.h"
 #include "shell/place.h"
+#include "shell/quality.h"
 #include "shell/shape/descent.h"
 #include "shell/shape/outside.h"
 #include "shell/shape/short_sides.h"
+#include "shell/topology.h"
 
 namespace lpq {
 namespace {

@@ -348,7 +348,7 @@ TEST_CASE("a straight corner of a strip one quad wide shares its place with anot
   const Charted charted = meshed.charted();
   const ShapeGround ground(charted);
   const std::vector<VertexRole> fixed(mesh.points.size(), {.kind = VertexRole::Kind::fixed});
-  const ShapePatch patch = take_patch(mesh, fixed, faces_at_vertices(mesh), {0, 1, 2, 3});
+  const ShapePatch patch = take_patch(mesh, fixed, FaceStars(mesh), {0, 1, 2, 3});
   CHECK(signed_eta(ground, mesh, mirrored ? 2 : 1) < 0.1);
   double best = -1;
   for (ShapePatch& refill : refills(ground, patch, mirrored ? 2 : 1)) {
