@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { EventEmitter } from 'node:events';
 import { after, test } from 'node:test';
 
-import { createLpquad, createLpquadWorker, dist, meshHash, plate, rejectionOf, square } from './support.mjs';
+import { createLpquad, createLpquadWorker, dist, errorOf, meshHash, plate, rejectionOf, square } from './support.mjs';
 
 const { LpquadWorker } = await import(dist('client.js'));
 const { serve } = await import(dist('worker-thread.js'));
@@ -84,6 +84,20 @@ test('what onProgress throws comes out of the call, and the run ends', async () 
 test('a control that is none is refused', async () => {
   await rejectionOf('BAD_OPTION', remote.meshDomain(square, {}, { onProgress: 5 }));
   await rejectionOf('BAD_OPTION', remote.meshDomain(square, {}, { signal: {} }));
+});
+
+test('options are judged as by the direct call, and a run that would never end is refused', async () => {
+  for (const wrong of [null, 5, 'fine', [1], { memory: true }, { size: 'x' }]) {
+    const { message } = errorOf('BAD_OPTION', () => lpquad.meshDomain(square, wrong));
+    assert.equal((await rejectionOf('BAD_OPTION', remote.meshDomain(square, wrong))).message, message);
+  }
+  for (const wrong of [null, 5, 'fine', { memory: 5 }]) {
+    const { message } = errorOf('BAD_OPTION', () => lpquad.start(square, wrong));
+    assert.equal((await rejectionOf('BAD_OPTION', remote.start(square, wrong))).message, message);
+  }
+  const session = await remote.start(square);
+  for (const every of [0, -1, 1.5]) await rejectionOf('BAD_OPTION', session.run({ every }).next());
+  await session.dispose();
 });
 
 test('after an abort there is no progress', async () => {

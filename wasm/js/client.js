@@ -256,6 +256,7 @@ class RemoteRun {
 
   /** Snapshots after every `every` ticks until the end: `for await (const s of session.run())`. */
   async *run({ layers = this.defaultLayers, every = 1, signal } = {}) {
+    if (every === 0) throw new LpquadError('BAD_OPTION', 'Snapshots come every tick or more, not every 0.');
     while (this.state.stage !== 'done') {
       await this.step(every, { signal });
       yield await this.snapshot(layers);

@@ -38,7 +38,7 @@ const operations = {
     return { ...server.lpquad };  // what it says about itself; private members stay
   },
   meshDomain: (server, { id, domain, options, withProgress }) =>
-    server.complete(id, server.lpquad.start(domain, { ...options, memory: false }), withProgress),
+    server.complete(id, server.lpquad.start(domain, withoutMemory(options)), withProgress),
   meshSurface: async (server, { id, surface, options, withProgress }) =>
     server.complete(id, await server.lpquad.startSurface(surface, options), withProgress),
   start: (server, { id, domain, options }) => server.keep(id, server.lpquad.start(domain, options)),
@@ -132,6 +132,13 @@ class Server {
       session.dispose();
     }
   }
+}
+
+/** For a session that stands for a plain call, which has no such option. */
+function withoutMemory(options) {
+  if (options === null || typeof options !== 'object') return options;
+  if ('memory' in options) throw new LpquadError('BAD_OPTION', 'There is no option \'memory\'.');
+  return { ...options, memory: false };
 }
 
 /** Lets the worker hear its messages. Not setTimeout: nested, it waits 4 ms. */
