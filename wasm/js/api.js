@@ -36,7 +36,8 @@ export class Lpquad {
   }
 
   start(domain, options) {
-    const { memory = true, ...rest } = options ?? {};
+    const { memory = true, ...rest } = checkOptions(options);
+    if (typeof memory !== 'boolean') throw new LpquadError('BAD_OPTION', 'Option memory must be true or false.');
     const { table, fields, thrown, onProgress } = splitOptions(rest);
     if (onProgress !== undefined) throw noProgress();
     const packed = packDomain(domain);

@@ -17,6 +17,8 @@ export class LpquadError extends Error {
   }
 }
 
+export const disposed = () => new LpquadError('BAD_OPTION', 'This session has been disposed of.');
+
 /** @param {string} json  {error: {code, message, where}} as the core writes it */
 export function errorFromJson(json) {
   const { code, message, where } = JSON.parse(json).error;

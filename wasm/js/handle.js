@@ -1,6 +1,6 @@
 // What a session owns inside the module, until it is disposed of.
 import { checkNames } from './checks.js';
-import { LpquadError, unwrap } from './errors.js';
+import { disposed, unwrap } from './errors.js';
 
 export class Handle {
   #native;
@@ -9,8 +9,7 @@ export class Handle {
 
   /** @returns {any} */
   get live() {
-    if (this.#native === null)
-      throw new LpquadError('BAD_OPTION', 'This session has been disposed of.');
+    if (this.#native === null) throw disposed();
     return this.#native;
   }
 

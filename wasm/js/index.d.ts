@@ -20,11 +20,14 @@ export type {
   SurfaceProgress, SurfaceReport, SurfaceSession, SurfaceSnapshot, SurfaceStage,
 } from './surface.js';
 
+/** `[x, y]`, or an array of two numbers whose length TypeScript does not know; any other count is an error of the call. */
+export type Point = readonly [number, number] | readonly number[];
+
 /** A closed loop: `[[x, y], …]` or flat `[x0, y0, x1, y1, …]`. The first point may be repeated at the end, and need not. */
-export type Loop = ReadonlyArray<readonly [number, number]> | ArrayLike<number>;
+export type Loop = ReadonlyArray<Point> | ArrayLike<number>;
 
 /** Target sizes at points: `[[x, y, h], …]` or flat `[x0, y0, h0, …]`. */
-export type Sizes = ReadonlyArray<readonly [number, number, number]> | ArrayLike<number>;
+export type Sizes = ReadonlyArray<readonly [number, number, number] | readonly number[]> | ArrayLike<number>;
 
 /** Strokes of two points or more each, `[[x, y], …]` or flat `[x0, y0, x1, y1, …]`. */
 export type Guides = ReadonlyArray<Loop>;
@@ -45,7 +48,7 @@ export interface DomainParts {
   /** Lines inside the domain that become mesh edges. */
   polylines?: ReadonlyArray<{ points: Loop; tag?: string }>;
   /** Points inside the domain that become mesh vertices. */
-  points?: ReadonlyArray<readonly [number, number] | { position: readonly [number, number]; tag?: string }>;
+  points?: ReadonlyArray<Point | { position: Point; tag?: string }>;
   /** Target edge length that comes with the domain; `MeshOptions.size` wins over it. */
   h?: number;
   /** What comes with the domain of sizes, guides and points to start from, as the options of these names, which win. */

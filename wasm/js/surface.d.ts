@@ -25,9 +25,9 @@ export interface Surface {
 /** What can be meshed: what readSurface gave, or triangles of your own. */
 export interface SurfaceInput {
   /** `[[x, y, z], …]` or flat `[x0, y0, z0, x1, …]`. */
-  points: ReadonlyArray<readonly [number, number, number]> | ArrayLike<number>;
+  points: ReadonlyArray<readonly [number, number, number] | readonly number[]> | ArrayLike<number>;
   /** `[[a, b, c], …]` or flat. In any order and orientation; borders and several parts are fine. */
-  triangles: ReadonlyArray<readonly [number, number, number]> | ArrayLike<number>;
+  triangles: ReadonlyArray<readonly [number, number, number] | readonly number[]> | ArrayLike<number>;
   /** Borders between groups become edges of the mesh (`keepGroups`). */
   groups?: ArrayLike<number>;
   groupNames?: ReadonlyArray<string>;

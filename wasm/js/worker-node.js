@@ -16,9 +16,10 @@ export function createLpquadWorker({ worker = ownWorker, ...source } = {}) {
     const thread = worker();
     thread.on('message', message);
     thread.on('error', (error) => lost(`The worker failed: ${error.message}.`));
+    thread.on('messageerror', () => lost('The worker sent something unreadable.'));
     thread.on('exit', () => lost('The worker ended.'));
     return {
-      post: (data, transfer = []) => thread.postMessage(data, transfer),
+      post: (data) => thread.postMessage(data),
       terminate: () => void thread.terminate(),
       // An idle worker does not keep the program alive.
       busy: (busy) => (busy ? thread.ref() : thread.unref()),

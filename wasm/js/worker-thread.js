@@ -1,7 +1,7 @@
 // Runs inside the worker: {id, op, ...} in, {id, value | error} and {id, progress} out. Long work
 // advances in steps of about 20 ms, between which messages are heard; so a cancel takes effect.
 import { checkWhole } from './checks.js';
-import { LpquadError } from './errors.js';
+import { disposed, LpquadError } from './errors.js';
 
 const sliceMilliseconds = 20;
 
@@ -15,15 +15,17 @@ export function serve(port, createLpquad) {
   return async (message) => {
     const { id, op } = message;
     if (op === 'cancel') {
-      server.cancelled.add(id);
+      if (server.open.has(id)) server.cancelled.add(id);
       return;
     }
+    server.open.add(id);
     try {
       const value = await server.answer(op, message);
       port.postMessage({ id, value }, buffersOf(value));
     } catch (error) {
       port.postMessage({ id, error: portable(error) }, []);
     } finally {
+      server.open.delete(id);
       server.cancelled.delete(id);
     }
   };
@@ -36,7 +38,7 @@ const operations = {
     return { ...server.lpquad };  // what it says about itself; private members stay
   },
   meshDomain: (server, { id, domain, options, withProgress }) =>
-    server.complete(id, server.lpquad.start(domain, { ...options, memory: false }), withProgress),
+    server.complete(id, server.lpquad.start(domain, withoutMemory(options)), withProgress),
   meshSurface: async (server, { id, surface, options, withProgress }) =>
     server.complete(id, await server.lpquad.startSurface(surface, options), withProgress),
   start: (server, { id, domain, options }) => server.keep(id, server.lpquad.start(domain, options)),
@@ -44,14 +46,16 @@ const operations = {
     server.keep(id, await server.lpquad.startSurface(surface, options)),
   async step(server, { id, session, count, withProgress }) {
     checkWhole(count, 'The number of ticks');
-    await server.advance(id, server.find(session), count, withProgress);
-    return server.find(session).state;
+    const run = server.find(session);
+    await server.advance(id, run, count, withProgress);
+    return run.state;
   },
   restore: (server, { session, tick }) => server.find(session).restore(tick),
   snapshot: (server, { session, layers }) => server.find(session).snapshot(layers),
   async finish(server, { id, session, withProgress }) {
-    await server.advance(id, server.find(session), Infinity, withProgress);
-    return server.find(session).finish();
+    const run = server.find(session);
+    await server.advance(id, run, Infinity, withProgress);
+    return { mesh: run.finish(), state: run.state };
   },
   clone: (server, { id, session }) => server.keep(id, server.find(session).clone()),
   dispose(server, { session }) {
@@ -66,16 +70,28 @@ const operations = {
 
 class Server {
   sessions = new Map();
-  /** Numbers of the calls that are to end. */
+  /** Numbers of the calls that have no answer yet, and of those that are to end. */
+  open = new Set();
   cancelled = new Set();
   lpquad;
+  /** What was asked for meanwhile waits for it. */
+  created;
 
   constructor(port, createLpquad) {
     this.port = port;
     this.createLpquad = createLpquad;
   }
 
-  answer(op, message) { return operations[op](this, message); }
+  async answer(op, message) {
+    if (op === 'create') return (this.created = operations.create(this, message));
+    await this.created;
+    this.checkCancelled(message.id);
+    return operations[op](this, message);
+  }
+
+  checkCancelled(id) {
+    if (this.cancelled.has(id)) throw new LpquadError('CANCELLED', 'The run was cancelled.');
+  }
 
   /**
    * A session is known by the number of the call that made it: no other call ever has it, not even in the
@@ -88,7 +104,7 @@ class Server {
 
   find(number) {
     const session = this.sessions.get(number);
-    if (!session) throw new LpquadError('WORKER_LOST', 'This session died with its worker.');
+    if (!session) throw disposed();
     return session;
   }
 
@@ -96,7 +112,7 @@ class Server {
   async advance(id, session, count, withProgress) {
     let done = 0, slice = 1;
     while (done < count && session.state.stage !== 'done') {
-      if (this.cancelled.has(id)) throw new LpquadError('CANCELLED', 'The run was cancelled.');
+      this.checkCancelled(id);
       const start = performance.now();
       const { gradientNorm, tau, ...progress } = session.step(Math.min(slice, count - done));
       done += slice;
@@ -116,6 +132,13 @@ class Server {
       session.dispose();
     }
   }
+}
+
+/** For a session that stands for a plain call, which has no such option. */
+function withoutMemory(options) {
+  if (options === null || typeof options !== 'object') return options;
+  if ('memory' in options) throw new LpquadError('BAD_OPTION', 'There is no option \'memory\'.');
+  return { ...options, memory: false };
 }
 
 /** Lets the worker hear its messages. Not setTimeout: nested, it waits 4 ms. */

@@ -1,8 +1,8 @@
 /// <reference lib="esnext.disposable" />
 /**
  * `lpquad/worker`: the library in a worker of its own. The same calls as promises; results are
- * transferred, not copied. An abort is answered at once; a worker that is lost is replaced by the
- * next call.
+ * transferred, not copied. An abort is answered at once; a worker that is lost, or that is too busy to hear
+ * the abort and that no session or other call needs, is replaced by the next call.
  */
 import type {
   Description, Domain, Layers, Mesh, MeshCallOptions, MeshFormat, MeshResult, Progress, ReadDomain,
@@ -18,6 +18,7 @@ export type WorkerMeshOptions = Omit<MeshCallOptions, 'sizeAt' | 'angleAt' | 'on
 export interface Control<P = Progress & { tick: number }> {
   /** Ends the run with the error CANCELLED, whose `cause` is the signal's reason. */
   signal?: AbortSignal;
+  /** What it throws ends the run, and is what the call rejects with. */
   onProgress?: (progress: P) => void;
 }
 export type SurfaceControl = Control<SurfaceProgress>;

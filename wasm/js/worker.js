@@ -22,7 +22,7 @@ export function createLpquadWorker({ worker = ownWorker, ...source } = {}) {
     thread.onerror = (event) => lost(`The worker failed: ${event.message ?? 'it did not load'}.`);
     thread.onmessageerror = () => lost('The worker sent something unreadable.');
     return {
-      post: (data, transfer = []) => thread.postMessage(data, transfer),
+      post: (data) => thread.postMessage(data),
       terminate: () => thread.terminate(),
     };
   }, absolute(source));

@@ -37,8 +37,17 @@ export async function direct(): Promise<void> {
   lpquad.meshDomain(regions);
   // @ts-expect-error no loops
   lpquad.meshDomain({ h: 1 });
-  // @ts-expect-error a point has two coordinates
-  lpquad.meshDomain({ loops: [[[0, 0, 0], [1, 0, 0], [1, 1, 0]]] });
+  // Arrays whose lengths are not known: of a variable, of JSON.
+  const outline = [[0, 0], [1, 0], [1, 1]], spots = [[0.5, 0.5, 0.1]];
+  const parsed: { loops: number[][][] } = JSON.parse('{ "loops": [] }');
+  const frozen: readonly (readonly number[])[] = outline;
+  lpquad.meshDomain({ loops: [outline, frozen], points: outline, polylines: [{ points: outline }], sizes: spots, guides: [outline] },
+    { sizes: spots, guides: [frozen], seedPoints: outline });
+  lpquad.meshDomain({ regions: [parsed, { loops: [outline] }], points: [{ position: outline[0]! }] });
+  // @ts-expect-error coordinates are numbers
+  lpquad.meshDomain({ loops: [[['0', '0'], ['1', '0'], ['1', '1']]] });
+  // @ts-expect-error a point is an array
+  lpquad.meshDomain({ loops: [[{ x: 0, y: 0 }, { x: 1, y: 0 }, { x: 1, y: 1 }]] });
   // @ts-expect-error no such option
   lpquad.meshDomain(domain, { siz: 0.1 });
   // @ts-expect-error no such choice
@@ -90,8 +99,10 @@ export async function surfaces(lpquad: Lpquad): Promise<void> {
     onProgress: ({ stage, chart, chartCount }) => stage !== 'seams' && chart <= chartCount,
   });
   await lpquad.meshSurface({ points: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles: [0, 1, 2], groups: [0], sizes: [1, 1, 0], groupNames: ['a'] });
-  // @ts-expect-error a point of a surface has three coordinates
-  await lpquad.meshSurface({ points: [[0, 0], [1, 0], [0, 1]], triangles: [0, 1, 2] });
+  const corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triples = [[0, 1, 2]];
+  await lpquad.meshSurface({ points: corners, triangles: triples });
+  // @ts-expect-error coordinates are numbers
+  await lpquad.meshSurface({ points: [['0', '0', '0']], triangles: [0, 1, 2] });
   // @ts-expect-error no such option of surfaces
   await lpquad.meshSurface(surface, { keepBoundary: true });
   // @ts-expect-error a promise
