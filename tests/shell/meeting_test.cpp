@@ -118,12 +118,18 @@ TEST_CASE("bodies that share a side get closed meshes, each as if it were alone"
 
 TEST_CASE("a face that touches itself in a point is laid out flat in pieces") {
   // A plate with a pit that comes to a point on its edge, where a wall goes down: to the surface a
-  // vertex like others, to the plate two corners in one place.
+  // vertex like others, to the plate two corners in one place. Turned so that rounding lays the one
+  // a hair beyond the other.
   SurfaceSoup soup;
   soup.points = {{0, 0, 0}, {0, 2, 0}, {0, -2, 0}, {4, -2, 0}, {4, 2, 0},
                  {2, 1, 0}, {3, 0, 0}, {2, -1, 0}, {2, 0, -1}, {0, 0, -3}};
   soup.triangles = {{0, 5, 1}, {5, 4, 1}, {5, 6, 4}, {6, 3, 4}, {7, 3, 6}, {7, 2, 3}, {0, 2, 7},
                     {0, 8, 5}, {5, 8, 6}, {6, 8, 7}, {7, 8, 0}, {1, 9, 0}, {0, 9, 2}};
+  const double a = 0.3, b = 0.5;
+  for (Vec3& p : soup.points) {
+    p = {std::cos(a) * p.x - std::sin(a) * p.y, std::sin(a) * p.x + std::cos(a) * p.y, p.z};
+    p = {p.x, std::cos(b) * p.y - std::sin(b) * p.z, std::sin(b) * p.y + std::cos(b) * p.z};
+  }
   const ShellOutcome outcome = meshed(soup, {.size = 0.3});
   CHECK(outcome.report.repair.nonmanifold_vertices == 0);
   CHECK(outcome.report.faces == 6);
