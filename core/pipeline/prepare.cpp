@@ -230,8 +230,6 @@ Error in_world(Error error, const UnitFrame& frame) {
 
 Result<Preparation> prepare(const DomainInput& input, const Options& options,
                             const UserFields& user) {
-  if (!(options.size >= 0) || std::isinf(options.size))
-    return size_error("The mesh size must be a positive finite number, or 0 for the domain's own.");
   if (const Problem range = check_ranges(options)) return *range;
 
   if (options.growth > 0 && options.growth < least_growth)

@@ -74,3 +74,13 @@ TEST_CASE("a stretch that is not a vector shorter than 1 is refused where it is"
     CHECK(distance({outcome.error().where.x, outcome.error().where.y}, Vec2{5, 2}) < 1);
   }
 }
+
+TEST_CASE("options that are no value of their enum are refused") {
+  for (const int number : {-1, 3, 17}) {
+    CAPTURE(number);
+    CHECK(refusal({}, {.elements = static_cast<Elements>(number)}) == ErrorCode::bad_option);
+    CHECK(refusal({}, {.method = static_cast<Method>(number)}) == ErrorCode::bad_option);
+    CHECK(refusal({}, {.effort = static_cast<Effort>(number)}) == ErrorCode::bad_option);
+    CHECK(refusal({}, {.seeds = static_cast<Seeds>(number)}) == ErrorCode::bad_option);
+  }
+}
