@@ -174,8 +174,9 @@ test('what cannot be meshed is said with a code, and the instance lives on', asy
   await rejectionOf('EMPTY', lpquad.meshSurface({ points: [], triangles: [] }));
   await rejectionOf('ZERO_AREA', lpquad.meshSurface({ points: [0, 0, 0, 1, 0, 0, 2, 0, 0], triangles: [0, 1, 2] }));
   await rejectionOf('TOO_MANY_ELEMENTS', lpquad.meshSurface(box, { size: 1e-6 }));
+  await rejectionOf('BAD_SIZE', lpquad.meshSurface(box, { size: -1 }));
   assert.match((await rejectionOf('BAD_OPTION', lpquad.meshSurface(box, { siz: 1 }))).message, /'siz'.*'size'/);
-  for (const wrong of [{ size: '1' }, { size: -1 }, { featureAngle: 181 }, { effort: 'none' }, { keepGroups: 1 }, { seed: 0.5 },
+  for (const wrong of [{ size: '1' }, { featureAngle: 181 }, { effort: 'none' }, { keepGroups: 1 }, { seed: 0.5 },
     { onProgress: 5 }, null, 5])
     await rejectionOf('BAD_OPTION', lpquad.meshSurface(box, wrong));
   await rejectionOf('PARSE_ERROR', lpquad.readSurface('no surface at all'));
