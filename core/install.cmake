@@ -8,8 +8,12 @@ install(TARGETS lpquad lpquad_io EXPORT lpquadTargets
 if(TARGET lpquad_command)
   install(TARGETS lpquad_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
-install(DIRECTORY ${CMAKE_CURRENT_LIST_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lpquad
-  FILES_MATCHING PATTERN "*.h" PATTERN cli EXCLUDE)
+# Installed headers find each other as <lpquad/base/result.h>, whatever the user's own are called.
+install(CODE "set(SOURCE \"${CMAKE_CURRENT_LIST_DIR}\")
+set(TARGET \"${PROJECT_BINARY_DIR}/headers/installed\")
+include(\"${CMAKE_CURRENT_LIST_DIR}/install_headers.cmake\")")
+install(DIRECTORY ${PROJECT_BINARY_DIR}/headers/installed/
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lpquad)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/licenses/lpquad)
 
 install(EXPORT lpquadTargets NAMESPACE lpquad:: DESTINATION ${lpq_package_dir})

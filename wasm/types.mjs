@@ -6,6 +6,8 @@ import { fileURLToPath } from 'node:url';
 const target = fileURLToPath(new URL('js/generated.d.ts', import.meta.url));
 const packed = fileURLToPath(new URL('../dist/generated.d.ts', import.meta.url));
 
+const header = fileURLToPath(new URL('../core/base/result.h', import.meta.url));
+
 const quoted = (names) => names.map((name) => `'${name}'`).join(' | ');
 
 const typeOf = (option) =>
@@ -24,11 +26,26 @@ const table = (name, options) => [`export interface ${name} {`,
   ...options.flatMap((option) =>
     ['  /**', ...comment(option), '   */', `  ${option.name}?: ${typeOf(option)};`]), '}', ''];
 
+/** What the header says of each code. */
+function meanings() {
+  const [, list] = readFileSync(header, 'utf8').match(/enum class ErrorCode \{(.*?)\n\};/s);
+  return new Map([...list.matchAll(/^ +(\w+),? +\/\/ (.*)$/gm)].map(([, name, text]) => [name.toUpperCase(), text]));
+}
+
+function errorCodes(codes) {
+  const said = meanings();
+  const lines = codes.map((code) => {
+    if (!said.has(code)) throw new Error(`core/base/result.h does not say what ${code} is`);
+    return ` * - \`${code}\`: ${said.get(code)}`;
+  });
+  return ['/**', ' * What is wrong:', ...lines, ' */', `export type ErrorCode =\n  | ${codes.map((c) => `'${c}'`).join('\n  | ')};`, ''];
+}
+
 export function generatedTypes(description) {
   return ['// Made by wasm/types.mjs from the option tables of the core; do not edit.', '',
     ...table('MeshOptions', description.options), ...table('SurfaceOptions', description.surfaceOptions),
     ...table('WriteOptions', description.writeOptions),
-    `export type ErrorCode =\n  | ${description.errorCodes.map((c) => `'${c}'`).join('\n  | ')};`, '',
+    ...errorCodes(description.errorCodes),
     `export type MeshFormat = ${quoted(description.meshFormats)};`, '',
     `export type DomainFormat = ${quoted(description.domainFormats)};`, '',
     `export type SurfaceFormat = ${quoted(description.surfaceFormats)};`, '',

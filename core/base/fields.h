@@ -32,21 +32,28 @@ const char* choice_name(E value) {
   return ChoiceNames<E>::names[static_cast<std::size_t>(value)];
 }
 
-/// First option out of range (or NaN), if any.
+/// That the value of a mesh size is bad_size, of any other option bad_option.
+inline Problem judge_range(const char* name, double value, double min, double max) {
+  if (value >= min && value <= max) return std::nullopt;
+  return Error{std::string(name) == "size" ? ErrorCode::bad_size : ErrorCode::bad_option,
+               std::string("Option ") + name + " is " + short_number(value) +
+                   ", but it must lie between " + short_number(min) + " and " + short_number(max) +
+                   ".",
+               {}};
+}
+
+/// First option out of range (or NaN, or no value of its enum), if any.
 template <class O>
 Problem check_ranges(const O& options) {
   Problem bad;
   each_field(options, [&](const char* name, const auto& value, const FieldInfo& info) {
     using T = std::remove_cvref_t<decltype(value)>;
-    if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
-      const double number = static_cast<double>(value);
-      if (bad || (number >= info.min && number <= info.max)) return;
-      bad = Error{ErrorCode::bad_option,
-                  std::string("Option ") + name + " is " + short_number(number) +
-                      ", but it must lie between " + short_number(info.min) + " and " +
-                      short_number(info.max) + ".",
-                  {}};
-    }
+    if (bad) return;
+    if constexpr (std::is_enum_v<T>)
+      bad = judge_range(name, static_cast<double>(static_cast<int>(value)), 0,
+                        static_cast<double>(ChoiceNames<T>::names.size() - 1));
+    else if constexpr (!std::is_same_v<T, bool>)
+      bad = judge_range(name, static_cast<double>(value), info.min, info.max);
   });
   return bad;
 }

@@ -39,9 +39,9 @@ enum class ErrorCode {
   adapted,                   // a warning: something given was changed or read as something else
   // not the input's fault
   no_valid_mesh,  // no mesh that passes the final check was found
-  out_of_memory,
-  cancelled,
-  io_error,  // a file cannot be read or written
+  out_of_memory,  // the machine, or WebAssembly's 4 GB, has no more
+  cancelled,      // the caller ended the run
+  io_error,       // a file cannot be read or written
 };
 
 /// Stable upper-case name, the same in C++, JSON, CLI and JavaScript: "SELF_INTERSECTION".

@@ -16,8 +16,9 @@ using Loop = std::vector<Vec2>;  // closed; the first point may be repeated at t
 struct DomainInput {
   struct Region {
     std::string name;
-    std::vector<Loop> loops;                     // any order, any orientation; largest area = outer
-    std::vector<std::vector<std::string>> tags;  // optional, per loop per edge; "" = untagged
+    std::vector<Loop> loops;  // any order, any orientation; largest area = outer
+    std::vector<std::vector<std::string>>
+        tags;  // none, or per loop none or one per edge; "" = untagged
   };
   struct Polyline {
     std::vector<Vec2> points;  // inside the domain; its edges become mesh edges

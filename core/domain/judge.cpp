@@ -49,8 +49,8 @@ Problem judge_point_counts(const Outline& outline) {
         chain.is_loop() ? loop_name(outline, chain) : "polyline " + std::to_string(chain.number);
     return Error{ErrorCode::too_few_points,
                  capitalised(name) + " has " + std::to_string(distinct.size()) +
-                     " distinct points; it needs at least " + std::to_string(wanted) +
-                     ". Remove it or add points.",
+                     (distinct.size() == 1 ? " distinct point" : " distinct points") +
+                     "; it needs at least " + std::to_string(wanted) + ". Remove it or add points.",
                  where};
   }
   return {};

@@ -74,18 +74,31 @@ Problem OutlineBuilder::check_counts() const {
   return {};
 }
 
+// One tag per point given is right as well where the first is repeated at the end.
 Problem OutlineBuilder::check_tags() const {
   for (std::size_t r = 0; r < input().regions.size(); ++r) {
     const DomainInput::Region& region = input().regions[r];
+    Where where;
+    where.region = static_cast<Index>(r);
+    if (region.tags.size() > region.loops.size()) {
+      where.loop = static_cast<Index>(region.loops.size());
+      return Error{ErrorCode::bad_option,
+                   "There are edge tags for " + std::to_string(region.tags.size()) +
+                       " loops, but the " + region_name(input(), where.region) + " has " +
+                       std::to_string(region.loops.size()) +
+                       "; give a list of tags per loop, with a tag per edge.",
+                   where};
+    }
     for (std::size_t l = 0; l < region.tags.size(); ++l) {
-      const std::size_t edges = l < region.loops.size() ? region.loops[l].size() : 0;
-      if (region.tags[l].size() <= edges) continue;
-      Where where;
-      where.region = static_cast<Index>(r);
+      const Loop& loop = region.loops[l];
+      const std::size_t tags = region.tags[l].size();
+      const std::size_t edges = loop.size() - (loop.size() > 1 && loop.front() == loop.back());
+      if (tags == 0 || tags == edges || tags == loop.size()) continue;
       where.loop = static_cast<Index>(l);
       return Error{ErrorCode::bad_option,
                    "Loop " + std::to_string(l) + " has " + std::to_string(edges) + " edges but " +
-                       std::to_string(region.tags[l].size()) + " edge tags; give one tag per edge.",
+                       std::to_string(tags) +
+                       " edge tags; give one tag per edge (\"\" where there is none), or none.",
                    where};
     }
   }

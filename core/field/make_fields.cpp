@@ -212,6 +212,11 @@ std::vector<SizeCone> size_cones_of(const FieldOptions& options) {
   return size_cones(options.sizes, options.growth, largest_size(options));
 }
 
+Problem judge_stretch(Vec2 mu, Vec2 at) {
+  if (squared_length(mu) < 1) return std::nullopt;
+  return error_at(ErrorCode::non_finite, "The stretch is not a vector shorter than 1 here.", at);
+}
+
 Result<double> estimate_quads(const BoundaryMesh& boundary, const FieldOptions& options) {
   if (auto error = judge(options)) return std::move(*error);
   std::vector<double> h;
@@ -253,8 +258,10 @@ Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& opt
   fields.z = std::move(field->z);
   fields.pull = std::move(field->pull);
   if (options.stretch_function)
-    for (const Vec2 p : fields.background.points)
+    for (const Vec2 p : fields.background.points) {
       fields.stretch.push_back(options.stretch_function(p));
+      if (auto error = judge_stretch(fields.stretch.back(), p)) return std::move(*error);
+    }
   fields.has_spots = wider_than_growth(cones, options.growth);
   fields.singularities = find_singularities(fields.background, fields.z);
   fields.attach();

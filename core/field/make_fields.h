@@ -30,10 +30,13 @@ struct FieldOptions {
 /// (Crouzeix-Raviart unknowns, so a corner never averages two directions), likewise the guides' on
 /// edges that they meet, where the background is as fine as the target; size field by Laplace on
 /// log h from the spacing (or the caller's), limited to the given growth.
-/// Errors: bad_size; non_finite for an angle or a guide; bad_option for a guide without a direction
-/// (see Where::guide); too_many_elements where the sizes ask for more than `max_quads`. Cost: two
-/// sparse Cholesky factorisations of the background.
+/// Errors: bad_size; non_finite for an angle, a stretch or a guide; bad_option for a guide without
+/// a direction (see Where::guide); too_many_elements where the sizes ask for more than `max_quads`.
+/// Cost: two sparse Cholesky factorisations of the background.
 Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& options = {});
+
+/// Errors: non_finite for a stretch that turns a direction off, or is no number.
+Problem judge_stretch(Vec2 mu, Vec2 at);
 
 /// What the sizes at points ask for; nothing beside a function of sizes.
 std::vector<SizeCone> size_cones_of(const FieldOptions& options);

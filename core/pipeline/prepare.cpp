@@ -140,16 +140,19 @@ FieldOptions field_options(const UnitFrame& frame, const UserFields& user, doubl
 }
 
 // Lengths of the edges are those after the stretch.
-void stretch_spacing(const UnitFrame& frame, const UserFields& user, BoundaryMesh& boundary) {
+Problem stretch_spacing(const UnitFrame& frame, const UserFields& user, BoundaryMesh& boundary) {
   std::vector<double> sum(boundary.points.size(), 0.0);
   std::vector<int> edges(boundary.points.size(), 0);
   for (const Segment& s : boundary.edges) {
     const Vec2 a = boundary.points[s.a], b = boundary.points[s.b];
-    const double l = length(stretched(b - a, user.stretch(frame.to_world(midpoint(a, b)))));
+    const Vec2 mu = user.stretch(frame.to_world(midpoint(a, b)));
+    if (Problem problem = judge_stretch(mu, midpoint(a, b))) return problem;
+    const double l = length(stretched(b - a, mu));
     for (const Index v : {s.a, s.b}) sum[v] += l, ++edges[v];
   }
   for (std::size_t v = 0; v < sum.size(); ++v)
     if (edges[v] > 0) boundary.spacing[v] = sum[v] / edges[v];
+  return {};
 }
 
 // A boundary with the sizes inside still to come.
@@ -163,7 +166,9 @@ Result<Graded> grade(const Domain& domain, const Options& options, const UserFie
   auto boundary =
       sample_boundary(domain, boundary_options(domain, options, user, size, growth, most_nodes));
   if (!boundary) return boundary.error();
-  if (user.stretch) stretch_spacing(domain.frame, user, *boundary);
+  if (user.stretch)
+    if (Problem problem = stretch_spacing(domain.frame, user, *boundary))
+      return std::move(*problem);
   return Graded{std::move(*boundary),
                 field_options(domain.frame, user, size, growth, options.max_elements)};
 }
@@ -225,8 +230,6 @@ Error in_world(Error error, const UnitFrame& frame) {
 
 Result<Preparation> prepare(const DomainInput& input, const Options& options,
                             const UserFields& user) {
-  if (!(options.size >= 0) || std::isinf(options.size))
-    return size_error("The mesh size must be a positive finite number, or 0 for the domain's own.");
   if (const Problem range = check_ranges(options)) return *range;
 
   if (options.growth > 0 && options.growth < least_growth)
@@ -242,7 +245,8 @@ Result<Preparation> prepare(const DomainInput& input, const Options& options,
   const auto size = judge_size(prepared.domain, options);
   if (!size) return size.error();
   const UnitFrame& frame = prepared.domain.frame;
-  if (const Problem problem = judge_user_fields(given, frame)) return *problem;
+  if (const Problem problem = judge_user_fields(given, prepared.domain, options.max_elements))
+    return *problem;
   auto graded = options.growth > 0 ? grade(prepared.domain, options, given, *size, options.growth)
                                    : grade_as_affordable(prepared.domain, options, given, *size);
   if (!graded) return in_world(graded.error(), frame);

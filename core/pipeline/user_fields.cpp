@@ -3,12 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/words.h"
+
 namespace lpq {
 namespace {
 
 // Sizes in the unit frame whose squares doubles hold. Any mesh as fine as the least is refused, and
 // none is as coarse as the greatest.
 constexpr double least_size = 1e-150, greatest_size = 1e150;
+
+// The background is solved for at about 5 kB a point, and a mesh has some quads for each: beside
+// what any domain may have, a detail asks for no more points than this share of the quads allowed.
+constexpr double points_beside_quads = 1e5, points_per_quad = 0.02;
 
 bool is_size(double h) { return std::isfinite(h) && h > 0; }
 
@@ -42,17 +48,46 @@ Problem judge_guide(const UserFields::Guide& guide, Index number, const UnitFram
   return {};
 }
 
+// About one point for each square of that side inside and on the walls.
+double background_points(const Domain& domain, double detail) {
+  double walls = 0;
+  for (const Segment& s : domain.segments)
+    walls += distance(domain.points[s.a], domain.points[s.b]);
+  return domain.area / detail / detail + walls / detail;
+}
+
+Problem judge_detail(const UserFields& user, const Domain& domain, double max_elements) {
+  if (!(user.detail >= 0 && std::isfinite(user.detail)))
+    return Error{
+        ErrorCode::bad_option,
+        "The detail of a size function is a positive length, or 0 for 1/48 of the domain's "
+        "extent, not " +
+            short_number(user.detail) + ".",
+        {}};
+  if (!user.size || user.detail == 0) return {};
+  const double points = background_points(domain, domain.frame.length_to_frame(user.detail));
+  const double most = points_beside_quads + points_per_quad * max_elements;
+  if (points <= most) return {};
+  return Error{ErrorCode::too_many_elements,
+               "A size function looked at with a detail of " + short_number(user.detail) +
+                   " needs a background of about " + short_number(std::min(points, 1e300)) +
+                   " points, more than the limit of " + short_number(most) +
+                   ". Use a larger detail: the length below which sizes hardly vary.",
+               {}};
+}
+
 }  // namespace
 
 bool is_within_reach(Vec2 point, const UnitFrame& frame) {
   return std::isfinite(squared_length(frame.to_frame(point)));
 }
 
-Problem judge_user_fields(const UserFields& user, const UnitFrame& frame) {
+Problem judge_user_fields(const UserFields& user, const Domain& domain, double max_elements) {
   if (Problem problem = judge_sizes(user.sizes)) return problem;
   for (std::size_t g = 0; g < user.guides.size(); ++g)
-    if (Problem problem = judge_guide(user.guides[g], static_cast<Index>(g), frame)) return problem;
-  return {};
+    if (Problem problem = judge_guide(user.guides[g], static_cast<Index>(g), domain.frame))
+      return problem;
+  return judge_detail(user, domain, max_elements);
 }
 
 double size_in_frame(double size, const UnitFrame& frame) {

@@ -6,14 +6,17 @@
 
 #include "base/result.h"
 #include "domain/boundary.h"
+#include "domain/domain.h"
 #include "geometry/frame.h"
 #include "pipeline/options.h"
 
 namespace lpq {
 
 /// Errors, with places as given: bad_size for a size at a point that is not positive; non_finite
-/// for its place or a point of a guide; bad_option for a guide that goes too far from the domain.
-Problem judge_user_fields(const UserFields& user, const UnitFrame& frame);
+/// for its place or a point of a guide; bad_option for a guide that goes too far from the domain
+/// and for a detail that is no length; too_many_elements for one that asks for a larger background
+/// than a run of at most `max_elements` is to have.
+Problem judge_user_fields(const UserFields& user, const Domain& domain, double max_elements);
 
 /// Whether distances from the domain can be computed.
 bool is_within_reach(Vec2 point, const UnitFrame& frame);

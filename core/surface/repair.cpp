@@ -34,7 +34,6 @@ class Repair {
     report_.points_given = static_cast<Index>(soup_.points.size());
     report_.triangles_given = static_cast<Index>(soup_.triangles.size());
     if (soup_.group.empty()) soup_.group.assign(soup_.triangles.size(), 0);
-    if (soup_.group_names.empty()) soup_.group_names.emplace_back();
   }
 
   Result<RepairedSurface> run() {
@@ -43,6 +42,9 @@ class Repair {
     auto extent = check_soup(soup_);
     if (!extent) return extent.error();
     used_ = std::move(extent->used);
+    const auto most = *std::max_element(soup_.group.begin(), soup_.group.end());
+    soup_.group_names.resize(
+        std::max(soup_.group_names.size(), static_cast<std::size_t>(most) + 1));
     report_.unused_points = extent->unused;
     diagonal_ = extent->diagonal;
     if (const Problem near = check_weld()) return *near;

@@ -1,7 +1,6 @@
 // See soup.h.
 #include "surface/soup.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -32,19 +31,26 @@ Check check_corners(const SurfaceSoup& soup, SoupExtent& extent) {
   return std::nullopt;
 }
 
-/// One label below `names` for each triangle, or none at all.
+/// One label for each triangle, or none at all: below the number of names where there are any, else
+/// below that of triangles.
 Check check_labels(const char* what, const std::vector<Index>& labels, std::size_t triangles,
                    std::size_t names) {
-  const auto is_wrong = [most = static_cast<Index>(names)](Index label) {
-    return label < 0 || label >= most;
-  };
   if (labels.empty()) return std::nullopt;
-  if (labels.size() == triangles && std::none_of(labels.begin(), labels.end(), is_wrong))
-    return std::nullopt;
-  return Error{ErrorCode::parse_error,
-               std::string("Every triangle needs a ") + what +
-                   ", counted from 0, as many as there are names; give one for each, or none.",
-               {}};
+  if (labels.size() != triangles)
+    return Error{ErrorCode::parse_error,
+                 "There are " + std::to_string(labels.size()) + " " + what + " numbers for " +
+                     std::to_string(triangles) + " triangles; give one for each, or none.",
+                 {}};
+  const auto most = static_cast<Index>(names > 0 ? names : triangles);
+  for (std::size_t t = 0; t < labels.size(); ++t)
+    if (labels[t] < 0 || labels[t] >= most)
+      return Error{ErrorCode::parse_error,
+                   "Triangle " + std::to_string(t) + " has " + what + " " +
+                       std::to_string(labels[t]) + ", but " + what + " numbers go from 0 to " +
+                       std::to_string(most - 1) + ": there are no more " +
+                       (names > 0 ? what + std::string(" names") : "triangles") + ".",
+                   {}};
+  return std::nullopt;
 }
 
 Check check_sizes(const SurfaceSoup& soup) {
@@ -93,9 +99,7 @@ Check check_points(const std::vector<Vec3>& points, SoupExtent& extent) {
 
 Result<SoupExtent> check_soup(const SurfaceSoup& soup) {
   const std::size_t triangles = soup.triangles.size();
-  // Triangles without groups are all in one, and bodies need no names.
-  const std::size_t groups = soup.group_names.size();
-  const std::size_t bodies = std::max(soup.body_names.size(), triangles);
+  const std::size_t groups = soup.group_names.size(), bodies = soup.body_names.size();
   SoupExtent extent;
   if (triangles == 0) return Error{ErrorCode::empty, "The surface has no triangle.", {}};
   if (const Check error = check_corners(soup, extent)) return *error;

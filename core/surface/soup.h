@@ -14,10 +14,10 @@ struct SurfaceSoup {
   std::vector<Vec3> points;
   std::vector<Tri> triangles;
   std::vector<Index> group;              // #T  into group_names; empty = all in group 0
-  std::vector<std::string> group_names;  // "" = unnamed; at least one where there is a triangle
+  std::vector<std::string> group_names;  // "" = unnamed; none = as many unnamed as group says
   std::vector<double> sizes;             // #points, target length there, 0 = none; empty = none
   std::vector<Index> body;  // #T  into body_names; empty = all one. Nothing joins bodies
-  std::vector<std::string> body_names;  // "" = unnamed
+  std::vector<std::string> body_names;  // "" = unnamed; none = as many unnamed as body says
   std::vector<Warning> warnings;        // what the file holds and the reader left out
 };
 
@@ -27,7 +27,8 @@ struct SoupExtent {
   double diagonal = 0;  // of the box around the used points
 };
 
-/// Errors: empty; parse_error for a corner, a group or a body that is not there; bad_size;
+/// Errors: empty; parse_error for a corner, a group or a body that is not there (without names, for
+/// one beyond the number of triangles); bad_size;
 /// non_finite; too_large beyond 1e100 (squares must not overflow); lost_precision for what is too
 /// small or large to calculate with. Cost O(#points + #T).
 Result<SoupExtent> check_soup(const SurfaceSoup& soup);

@@ -21,8 +21,22 @@ endforeach()
 file(REMOVE_RECURSE ${WORK}/prefix ${WORK}/build)
 file(MAKE_DIRECTORY ${WORK}/build)
 run(${WORK} ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+# The program may have headers of the names of ours, which nothing of ours may take.
+file(REMOVE_RECURSE ${WORK}/namesakes)
+file(GLOB_RECURSE headers RELATIVE ${WORK}/prefix/include/lpquad ${WORK}/prefix/include/lpquad/*.h)
+if(NOT EXISTS ${WORK}/prefix/include/lpquad/base/result.h)
+  message(FATAL_ERROR "not the headers expected: ${headers}")
+endif()
+foreach(header IN LISTS headers)
+  file(WRITE ${WORK}/namesakes/${header} "#error the program's own ${header}\n")
+  file(STRINGS ${WORK}/prefix/include/lpquad/${header} by_name REGEX "#include \"")
+  if(by_name)
+    message(FATAL_ERROR "${header} leaves to the search path: ${by_name}")
+  endif()
+endforeach()
 run(${WORK} ${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_BUILD_TYPE=Release
-    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${WORK}/prefix
+    -DCMAKE_CXX_FLAGS=-I${WORK}/namesakes)
 run(${WORK} ${CMAKE_COMMAND} --build ${WORK}/build)
 
 # Faces of four corners: readers of surfaces divide them.

@@ -156,8 +156,26 @@ TEST_CASE("sizes and tags must fit") {
   input.h = std::numeric_limits<double>::quiet_NaN();
   CHECK(refused(input).code == ErrorCode::non_finite);
   input.h = 0;
-  input.regions[0].tags = {{"a", "b", "c", "d", "e"}};
-  CHECK(refused(input).code == ErrorCode::bad_option);
+  using TagLists = std::vector<std::vector<std::string>>;
+  const std::size_t loops = input.regions[0].loops.size();
+  for (const TagLists& wrong : {TagLists{{"a", "b", "c", "d", "e"}}, {{"a", "b"}}, {{}, {"a"}}}) {
+    input.regions[0].tags = wrong;
+    CHECK(refused(input).code == ErrorCode::bad_option);
+    CHECK(refused(input).where.loop == static_cast<Index>(wrong.size() - 1));
+  }
+  input.regions[0].tags = TagLists(loops + 1);
+  input.regions[0].tags.back() = {"a"};
+  CHECK(refused(input).message.find("a list of tags per loop") != std::string::npos);
+  for (const TagLists& right : {TagLists{}, {{}}, {{"a", "b", "c", ""}}}) {
+    input.regions[0].tags = right;
+    CHECK(make_domain(input));
+  }
+  // The first point once more at the end makes no edge.
+  input.regions[0].loops[0].push_back(input.regions[0].loops[0].front());
+  for (const TagLists& right : {TagLists{{"a", "b", "c", "d"}}, {{"a", "b", "c", "d", ""}}}) {
+    input.regions[0].tags = right;
+    CHECK(make_domain(input));
+  }
 }
 
 TEST_CASE("regions share edges and corners, nothing else") {

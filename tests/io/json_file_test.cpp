@@ -133,7 +133,10 @@ TEST_CASE("tags and guides that do not fit are the file's fault") {
   CHECK(tags_of(tags("[[\"a\", \"b\"]]")) == TagTable{{"a", "b", "", ""}});
   CHECK(tags_of(tags("[[], []]")) == TagTable{{}});
   CHECK(refused(tags("[[\"a\", \"b\", \"c\", \"d\", \"e\"]]")).where.loop == 0);
-  CHECK(refused(tags("[[], [\"a\"]]")).where.loop == 1);
+  const Error beyond = refused(tags("[[], [\"a\"]]"));
+  CHECK(beyond.where.loop == 1);
+  CHECK(beyond.message.find("for 2 loops, but only 1; give a list of tags per loop") !=
+        std::string::npos);
   // The first point once more at the end makes no edge.
   CHECK(warnings_of("\"loops\": [[[0,0],[1,0],[1,1],[0,0]]], \"tags\": [[\"a\",\"b\",\"c\"]]")
             .empty());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 
@@ -253,6 +254,14 @@ TEST_CASE("surfaces that cannot be meshed are refused in words") {
   const auto wrong = mesh_surface(soup_of(plane_square(2)), {.feature_angle = 500});
   REQUIRE(!wrong);
   CHECK(wrong.error().code == ErrorCode::bad_option);
+  for (const double size : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    const auto none_such = mesh_surface(soup_of(plane_square(2)), {.size = size});
+    REQUIRE(!none_such);
+    CHECK(none_such.error().code == ErrorCode::bad_size);  // as in the plane
+  }
+  const auto no_choice = mesh_surface(soup_of(plane_square(2)), {.seeds = static_cast<Seeds>(9)});
+  REQUIRE(!no_choice);
+  CHECK(no_choice.error().code == ErrorCode::bad_option);
 }
 
 TEST_CASE("a surface run can be stopped, and repeats itself") {

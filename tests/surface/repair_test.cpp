@@ -418,6 +418,24 @@ TEST_CASE("groups and bodies are one for each triangle, and no others") {
   }
 }
 
+TEST_CASE("labels are below the number of names, and without names as many as they say") {
+  SurfaceSoup soup = box_soup({1, 1, 1}, 1);
+  soup.group = soup.body = std::vector<Index>(soup.triangles.size(), 0);
+  soup.group[3] = soup.body[3] = 2;
+  const auto unnamed = repaired(soup);
+  CHECK(unnamed.group_names.size() == 3);
+  CHECK(unnamed.body_names.size() == 3);
+
+  SurfaceSoup grouped = soup, bodied = soup;
+  grouped.group_names = {"a", "b"};
+  bodied.body_names = {"a", "b"};
+  CHECK(refused(grouped) == ErrorCode::parse_error);
+  CHECK(refused(bodied) == ErrorCode::parse_error);
+  grouped.group_names = bodied.body_names = {"a", "b", "c"};
+  CHECK(repaired(grouped).group_names == grouped.group_names);
+  CHECK(repaired(bodied).body_names == bodied.body_names);
+}
+
 TEST_CASE("groups follow their triangles") {
   SurfaceSoup soup = box_soup({1, 1, 1}, 2);
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)

@@ -26,10 +26,11 @@ test('a wrong form is named by its path', () => {
     [{ regions: [{ ...square, size: 5 }] }, 'domain.regions[0].size'],
     [{ ...square, tags: 'a' }, 'domain.tags'], [{ ...square, tags: ['a'] }, 'domain.tags[0]'],
     [{ ...square, tags: [['a']] }, 'domain.tags[0]'], [{ ...square, tags: [['a', 'b', 'c']] }, 'domain.tags[0]'],
-    [{ ...square, tags: [[], []] }, 'domain.tags'],
+    [{ ...square, tags: [[], []] }, 'domain.tags must be a list of texts for each loop'],
+    [{ loops: rectangle(0, 0, 1) }, 'domain.loops must be an array of loops,'], [[], 'domain must be an object { loops,'],
     [{ ...square, tags: [['a', 'b', 'c', 4]] }, 'domain.tags[0][3]'],
     [{ ...square, polylines: 1 }, 'domain.polylines'],
-    [{ ...square, polylines: [[[0, 0]]] }, 'domain.polylines[0].0'],
+    [{ ...square, polylines: [[[0, 0]]] }, 'domain.polylines[0] must be an object { points, tag },'],
     [{ ...square, polylines: [{ points: [[0.2]] }] }, 'domain.polylines[0].points[0]'],
     [{ ...square, polylines: [{ points: [0.2, 0.2, 0.4, 0.4], tag: 1 }] }, 'domain.polylines[0].tag'],
     [{ ...square, points: 'x' }, 'domain.points'], [{ ...square, points: [3] }, 'domain.points[0]'],
@@ -67,6 +68,15 @@ test('tags that a file leaves out are empty once it is read', async () => {
     assert.equal(read.warnings.length, given > 0 ? 1 : 0);
     assert.equal(new Set(lpquad.meshDomain(read, { size: 0.25 }).tags).size, given);
   }
+});
+
+test('an array whose buffer was transferred is told from an empty one', () => {
+  const gone = Float64Array.of(0, 0, 1, 0, 1, 1);
+  structuredClone(gone, { transfer: [gone.buffer] });
+  assert.match(refuse('PARSE_ERROR', { loops: [gone] }).message, /^domain\.loops\[0\] .*transferred/);
+  assert.match(refuse('PARSE_ERROR', { ...square, seedPoints: gone }).message, /^domain\.seedPoints .*transferred/);
+  refuse('TOO_FEW_POINTS', { loops: [new Float64Array()] });
+  assert.ok(lpquad.meshDomain({ ...square, seedPoints: new Float64Array(), source: 'a drawing', licence: 'MIT' }));
 });
 
 test('options are known by name, type and range', () => {

@@ -78,6 +78,7 @@ test('the types of options, codes and formats are those of the option tables', (
   const declared = text('generated.d.ts');
   for (const option of [...lpquad.options, ...lpquad.surfaceOptions, ...lpquad.writeOptions])
     assert.ok(declared.includes(`  ${option.name}?: `) && declared.includes(option.help), option.name);
+  for (const code of lpquad.errorCodes) assert.match(declared, new RegExp(` \\* - \`${code}\`: \\w`));
 });
 
 test('the command line has the same options, defaults and help', () => {

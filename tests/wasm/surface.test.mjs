@@ -156,6 +156,9 @@ test('a wrong form is named by its path', async () => {
     [{ ...box, triangles: [[0, 1, 2], [0, 1, 1.5]] }, 'surface.triangles[1][2]'],
     [{ ...box, groups: [0] }, 'surface.groups'], [{ ...box, groups: Array(12).fill(2), groupNames: ['a'] }, 'surface.groups[0]'],
     [{ ...box, groups: Array(12).fill(NaN) }, 'surface.groups[0]'], [{ ...box, groupNames: [5] }, 'surface.groupNames[0]'],
+    [{ ...box, bodies: Array(12).fill(12) }, 'surface.bodies[0] must be a whole number from 0 to'],
+    [{ ...box, groups: Array(12).fill(12), groupNames: [] }, 'surface.groups[0] must be a whole number from 0 to'],
+    [{ ...box, bodies: Array(12).fill(1), bodyNames: ['a'] }, 'surface.bodies[0] must be the index of one of the 1 names in'],
     [{ ...box, sizes: [1] }, 'surface.sizes'], [{ ...box, sizes: Array(8).fill('a') }, 'surface.sizes[0]'],
     [{ ...box, faces: [] }, 'surface.faces']];
   for (const [surface, where] of cases) {
@@ -171,8 +174,9 @@ test('what cannot be meshed is said with a code, and the instance lives on', asy
   await rejectionOf('EMPTY', lpquad.meshSurface({ points: [], triangles: [] }));
   await rejectionOf('ZERO_AREA', lpquad.meshSurface({ points: [0, 0, 0, 1, 0, 0, 2, 0, 0], triangles: [0, 1, 2] }));
   await rejectionOf('TOO_MANY_ELEMENTS', lpquad.meshSurface(box, { size: 1e-6 }));
+  await rejectionOf('BAD_SIZE', lpquad.meshSurface(box, { size: -1 }));
   assert.match((await rejectionOf('BAD_OPTION', lpquad.meshSurface(box, { siz: 1 }))).message, /'siz'.*'size'/);
-  for (const wrong of [{ size: '1' }, { size: -1 }, { featureAngle: 181 }, { effort: 'none' }, { keepGroups: 1 }, { seed: 0.5 },
+  for (const wrong of [{ size: '1' }, { featureAngle: 181 }, { effort: 'none' }, { keepGroups: 1 }, { seed: 0.5 },
     { onProgress: 5 }, null, 5])
     await rejectionOf('BAD_OPTION', lpquad.meshSurface(box, wrong));
   await rejectionOf('PARSE_ERROR', lpquad.readSurface('no surface at all'));
@@ -302,7 +306,7 @@ test('a session shows what every stage has made, and ends where the direct call 
   const { tick } = session.state;
   assert.equal(session.step(5).tick, tick);
   assert.equal(meshHash(mesh), await hashOf(tube, { size: 0.25 }));
-  errorOf('BAD_OPTION', () => session.step(-1));
+  assert.match(errorOf('BAD_OPTION', () => session.step(-1)).message, /from 0 to 2147483647, not -1/);
   assert.match(errorOf('BAD_OPTION', () => session.snapshot({ matching: true })).message, /'matching'/);
   session.dispose();
   session.dispose();

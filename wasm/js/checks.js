@@ -14,7 +14,7 @@ export function checkNames(object, known, kind) {
 
 export function checkWhole(value, what) {
   if (!Number.isInteger(value) || value < 0 || value > 0x7fffffff)
-    throw new LpquadError('BAD_OPTION', `${what} must be a whole number, not ${String(value)}.`);
+    throw new LpquadError('BAD_OPTION', `${what} must be a whole number from 0 to 2147483647, not ${String(value)}.`);
 }
 
 /** The text or bytes of a file. */

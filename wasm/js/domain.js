@@ -18,18 +18,37 @@ function describe(value) {
 export const isList = (value) =>
   Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
 
+/** Of no view of a transferred buffer can another be made; as a list it looks empty. */
+function isDetached({ buffer, byteLength }) {
+  if (byteLength !== 0) return false;
+  try {
+    return new Uint8Array(buffer).length < 0;
+  } catch {
+    return true;
+  }
+}
+
 export function checkList(value, path, expected) {
   if (!isList(value)) fail(path, expected, value);
+  if (ArrayBuffer.isView(value) && isDetached(value))
+    throw new LpquadError('PARSE_ERROR',
+      `${path} holds nothing any more: its buffer was transferred, to a worker for example. Pass a copy.`);
   return value;
 }
 
+const listed = (names) => `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`;
+
+// What domain files say about themselves; accepted and not read.
+const comments = ['name', 'description', 'source', 'licence', 'license', 'warnings'];
+
 /** Refuses members that nothing would read: a misspelt one would be missed in silence. */
 export function checkObject(value, path, known) {
-  if (value === null || typeof value !== 'object') fail(path, 'an object', value);
+  if (value === null || typeof value !== 'object' || isList(value))
+    fail(path, `an object { ${known.filter((name) => !comments.includes(name)).join(', ')} }`, value);
   for (const key of Object.keys(value))
     if (!known.includes(key))
       throw new LpquadError('PARSE_ERROR',
-        `${path}.${key} is not known; ${path} has ${known.slice(0, -1).join(', ')} and ${known.at(-1)}.`);
+        `${path}.${key} is not known; ${path} has ${listed(known)}.`);
 }
 
 function checkNumber(value, path, where) {
@@ -87,8 +106,11 @@ function packTags(packed, tags, size, path, names) {
 
 function packLoops(packed, { loops, tags }, path, region, names) {
   checkList(loops, `${path}.loops`, 'an array of loops');
+  if (loops.length > 2 && loops.every((one) => isList(one) && one.length === 2 && !isList(one[0])))
+    fail(`${path}.loops`, 'an array of loops, [[[x, y], …], …], so put a single loop into brackets', loops);
   checkList(tags ?? [], `${path}.tags`, 'an array with the tags of each loop');
-  if ((tags?.length ?? 0) > loops.length) fail(`${path}.tags`, 'no longer than the loops', tags);
+  if ((tags?.length ?? 0) > loops.length)
+    fail(`${path}.tags`, `a list of texts for each loop (${loops.length}), [['a', 'b', …], …]`, tags);
   packed.loopsPerRegion.push(loops.length);
   loops.forEach((points, loop) => {
     const size = appendPoints(packed.points, points, `${path}.loops[${loop}]`, { region, loop });
@@ -96,9 +118,6 @@ function packLoops(packed, { loops, tags }, path, region, names) {
     packTags(packed, tags?.[loop] ?? [], size, `${path}.tags[${loop}]`, names);
   });
 }
-
-// What domain files say about themselves; accepted and not read.
-const comments = ['name', 'description', 'source', 'licence', 'license', 'warnings'];
 
 function packRegions(packed, domain, names) {
   checkObject(domain, 'domain', ['loops', 'tags', 'regions', 'polylines', 'points', 'h', 'sizes', 'guides', 'seedPoints', ...comments]);

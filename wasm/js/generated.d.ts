@@ -221,6 +221,34 @@ export interface WriteOptions {
   inpElement?: 'CPS4' | 'CPE4' | 'CAX4' | 'S4';
 }
 
+/**
+ * What is wrong:
+ * - `PARSE_ERROR`: a file is not what it says it is
+ * - `BAD_OPTION`: an option has no such name or is out of range
+ * - `NON_FINITE`: a coordinate or size is NaN or infinite
+ * - `EMPTY`: no loop at all
+ * - `TOO_FEW_POINTS`: a loop with fewer than three distinct points
+ * - `DUPLICATE_POINT`: two equal consecutive points (strict mode), or two equal points
+ * - `ZERO_AREA`: a loop that encloses nothing
+ * - `SELF_INTERSECTION`: two boundary edges cross
+ * - `OVERLAPPING_EDGES`: two boundary edges share a piece of line (also spikes)
+ * - `TOUCHING`: two boundary edges touch in a single point, or all but
+ * - `HOLE_OUTSIDE`: a hole not inside the outer loop
+ * - `NESTED_OR_DUPLICATE_HOLE`: a hole inside, or equal to, another hole
+ * - `REGION_CONFLICT`: two regions overlap
+ * - `BAD_SIZE`: a mesh size that is not positive, or larger than the domain
+ * - `ODD_BOUNDARY`: all quads asked for, but 4 Q = 2 E_int + B needs an even B
+ * - `TOO_NARROW`: a warning: a long gap whose walls get longer edges
+ * - `LOST_PRECISION`: coordinates too coarse (far from the origin) for this mesh size
+ * - `TOO_MANY_ELEMENTS`: refused before allocating
+ * - `TOO_LARGE`: a file or count beyond the stated limits
+ * - `IGNORED`: a warning: something given was left out or has no effect
+ * - `ADAPTED`: a warning: something given was changed or read as something else
+ * - `NO_VALID_MESH`: no mesh that passes the final check was found
+ * - `OUT_OF_MEMORY`: the machine, or WebAssembly's 4 GB, has no more
+ * - `CANCELLED`: the caller ended the run
+ * - `IO_ERROR`: a file cannot be read or written
+ */
 export type ErrorCode =
   | 'PARSE_ERROR'
   | 'BAD_OPTION'

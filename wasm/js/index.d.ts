@@ -58,6 +58,9 @@ export interface DomainParts {
   /** Comments, ignored. */
   name?: string;
   description?: string;
+  source?: unknown;
+  licence?: unknown;
+  license?: unknown;
   /** Of readDomain, ignored. */
   warnings?: unknown;
 }

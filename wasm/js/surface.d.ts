@@ -30,6 +30,7 @@ export interface SurfaceInput {
   triangles: ReadonlyArray<readonly [number, number, number] | readonly number[]> | ArrayLike<number>;
   /** Borders between groups become edges of the mesh (`keepGroups`). */
   groups?: ArrayLike<number>;
+  /** Left out: as many without a name as `groups` says. */
   groupNames?: ReadonlyArray<string>;
   /** Target edge length at each point, 0 for none; wins over the option `size` there. */
   sizes?: ArrayLike<number>;
@@ -38,6 +39,7 @@ export interface SurfaceInput {
    * both have one in the mesh.
    */
   bodies?: ArrayLike<number>;
+  /** Left out: as many without a name as `bodies` says. */
   bodyNames?: ReadonlyArray<string>;
   /** Comments, ignored. */
   name?: string;

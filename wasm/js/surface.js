@@ -43,17 +43,24 @@ function packTriangles(value, points) {
   return Uint32Array.from(flat);
 }
 
-/** A number for each triangle, or none at all, and the names that these count. */
+/**
+ * A number for each triangle, or none at all, and the names that these count; without names there are as many as they
+ * say, but no more than triangles.
+ */
 function packLabels(labels, labelNames, triangles, path, pathOfNames) {
   checkList(labels, path, 'an array of numbers');
   if (labels.length > 0 && labels.length !== triangles) fail(path, `as long as there are triangles (${triangles})`, labels);
-  const most = labels.reduce((high, label) => Math.max(high, label), labels.length > 0 ? 0 : -1);
-  const names = labelNames ?? Array(Number.isInteger(most) ? Math.min(most, triangles) + 1 : 1).fill('');
-  checkList(names, pathOfNames, 'an array of texts').forEach((name, i) => {
+  checkList(labelNames ?? [], pathOfNames, 'an array of texts').forEach((name, i) => {
     if (typeof name !== 'string') fail(`${pathOfNames}[${i}]`, 'a text', name);
   });
-  checkIndices(labels, names.length, (i) => `${path}[${i}]`, 'names');
-  return { labels: Int32Array.from(labels), names: [...names] };
+  const pathOf = (i) => `${path}[${i}]`, named = labelNames?.length > 0;
+  if (named) checkIndices(labels, labelNames.length, pathOf, `names in ${pathOfNames}`);
+  labels.forEach((label, i) => {
+    if (!Number.isInteger(label) || label < 0 || label >= triangles)
+      fail(pathOf(i), `a whole number from 0 to ${triangles - 1}, as there are ${triangles} triangles`, label);
+  });
+  const most = labels.reduce((high, label) => Math.max(high, label), labels.length > 0 ? 0 : -1);
+  return { labels: Int32Array.from(labels), names: named ? [...labelNames] : Array(most + 1).fill('') };
 }
 
 function packGroups({ groups = [], groupNames }, triangles) {

@@ -18,12 +18,20 @@ std::string counts_of(std::size_t loop, std::size_t edges, const char* joint, st
 
 Problem fit_tags(DomainInput::Region& region, Where where, FewWarnings& warnings) {
   for (std::size_t l = 0; l < region.tags.size(); ++l) {
-    const bool has_loop = l < region.loops.size();
     const std::size_t tags = region.tags[l].size();
-    const std::size_t edges = has_loop ? edge_count(region.loops[l]) : 0;
     where.loop = static_cast<Index>(l);
+    if (l >= region.loops.size()) {
+      if (tags == 0) continue;
+      return Error{
+          ErrorCode::parse_error,
+          "There are edge tags for " + std::to_string(region.tags.size()) + " loops, but only " +
+              std::to_string(region.loops.size()) +
+              "; give a list of tags per loop, with a tag per edge: [[\"a\", \"b\", ...]].",
+          where};
+    }
+    const std::size_t edges = edge_count(region.loops[l]);
     // One tag per point given is right as well.
-    if (tags > (has_loop ? region.loops[l].size() : 0))
+    if (tags > region.loops[l].size())
       return Error{ErrorCode::parse_error,
                    counts_of(l, edges, "but ", tags) + "give one tag per edge.", where};
     if (tags > 0 && tags < edges) {
