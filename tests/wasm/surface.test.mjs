@@ -128,6 +128,9 @@ test('groups divide and name faces, unless told otherwise', async () => {
   assert.deepEqual(mesh.surface.groupNames, ['left', 'right']);
   // A flat square in two groups: one edge between them, or none.
   const square = { points: [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], triangles: [0, 1, 2, 0, 2, 3], groups: [0, 1] };
+  // Names count, not triangles.
+  const groupNames = Array.from({ length: 8 }, (_, i) => `part ${i}`);
+  assert.deepEqual((await lpquad.meshSurface({ ...square, groups: [0, 7], groupNames }, options)).regions.length, 2);
   for (const [keepGroups, faces] of [[true, 2], [false, 1]])
     assert.equal((await lpquad.meshSurface(square, { size: 0.25, keepGroups })).report.faces, faces);
 });

@@ -55,7 +55,7 @@ function packLabels(labels, labelNames, triangles, path, pathOfNames) {
   });
   const pathOf = (i) => `${path}[${i}]`, named = labelNames?.length > 0;
   if (named) checkIndices(labels, labelNames.length, pathOf, `names in ${pathOfNames}`);
-  labels.forEach((label, i) => {
+  else labels.forEach((label, i) => {
     if (!Number.isInteger(label) || label < 0 || label >= triangles)
       fail(pathOf(i), `a whole number from 0 to ${triangles - 1}, as there are ${triangles} triangles`, label);
   });
