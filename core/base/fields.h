@@ -21,6 +21,7 @@ struct FieldInfo {
   double min = 0, max = 0;  // inclusive range of a number; unused for flags and choices
   const char* unit = "";    // "length" = the caller's unit of length
   const char* help = "";    // one sentence
+  ErrorCode beyond = ErrorCode::bad_option;  // what a number out of the range is
 };
 
 /// Specialise for every enum used as an option: the names of its values, in order.
@@ -32,10 +33,10 @@ const char* choice_name(E value) {
   return ChoiceNames<E>::names[static_cast<std::size_t>(value)];
 }
 
-/// That the value of a mesh size is bad_size, of any other option bad_option.
-inline Problem judge_range(const char* name, double value, double min, double max) {
+inline Problem judge_range(const char* name, double value, double min, double max,
+                           ErrorCode beyond) {
   if (value >= min && value <= max) return std::nullopt;
-  return Error{std::string(name) == "size" ? ErrorCode::bad_size : ErrorCode::bad_option,
+  return Error{beyond,
                std::string("Option ") + name + " is " + short_number(value) +
                    ", but it must lie between " + short_number(min) + " and " + short_number(max) +
                    ".",
@@ -51,9 +52,9 @@ Problem check_ranges(const O& options) {
     if (bad) return;
     if constexpr (std::is_enum_v<T>)
       bad = judge_range(name, static_cast<double>(static_cast<int>(value)), 0,
-                        static_cast<double>(ChoiceNames<T>::names.size() - 1));
+                        static_cast<double>(ChoiceNames<T>::names.size() - 1), info.beyond);
     else if constexpr (!std::is_same_v<T, bool>)
-      bad = judge_range(name, static_cast<double>(value), info.min, info.max);
+      bad = judge_range(name, static_cast<double>(value), info.min, info.max, info.beyond);
   });
   return bad;
 }

@@ -1,7 +1,7 @@
 // A growing set of faces that is to become a patch: a disk of quads (and of pairs of triangles,
-// where these may be mended, too) without fixed vertices or walls
-// inside, whose outline bends outwards only. Where it would bend inwards the missing faces are
-// added; so the irregular vertices on the rim are always mended from inside.
+// where these may be mended, too) without fixed vertices or walls inside, whose outline bends
+// outwards only. Where it would bend inwards the missing faces are added; so the irregular vertices
+// on the rim are always mended from inside.
 #pragma once
 
 #include "cleanup/ideal_valence.h"

@@ -96,7 +96,8 @@ void each_field(O& o, F&& visit) {
   visit("size", o.size,
         FieldInfo{0, 1e300, "length",
                   "Target edge length; 0 takes the domain's own h (about 1000 quads where it has "
-                  "none), or the boundary's spacing when it is kept."});
+                  "none), or the boundary's spacing when it is kept.",
+                  ErrorCode::bad_size});
   visit("keepBoundary", o.keep_boundary,
         FieldInfo{0, 1, "", "The given points are the boundary mesh and come back bit for bit."});
   visit("elements", o.elements,

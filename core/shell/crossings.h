@@ -26,13 +26,14 @@ struct FaceCrossing {
 std::vector<FaceCrossing> find_crossings(std::span<const Vec3> points, std::span<const Face> faces,
                                          std::span<const Index> body, std::size_t limit);
 
+struct GivenCrossings {
+  std::vector<FaceCrossing> within, between;  // one body, different bodies
+};
+
 /// Of the given surface: those of one body, as above, and those of different bodies that go into
-/// each other by more than a tenth of `size` (#V), or a quarter of a triangle's side if that is
+/// each other by more than a tenth of `size` (#V), or than 0.15 of a triangle's side if that is
 /// less: what only fits, as a bolt in its hole whose facets are turned, does not. At most 10,000 of
 /// each. Cost: one search.
-struct GivenCrossings {
-  std::vector<FaceCrossing> within, between;
-};
 GivenCrossings given_crossings(const SurfaceMesh& surface, std::span<const double> size);
 
 /// Of the mesh, at most 10,000; `given` if the boxes of a crossing pair of the surface reach there.

@@ -28,7 +28,8 @@ template <class O, class F>
 requires std::is_same_v<std::remove_const_t<O>, SurfaceOptions>
 void each_field(O& o, F&& visit) {
   visit("size", o.size,
-        FieldInfo{0, 1e300, "length", "Target edge length; 0 gives about 3000 quads."});
+        FieldInfo{0, 1e300, "length", "Target edge length; 0 gives about 3000 quads.",
+                  ErrorCode::bad_size});
   visit("featureAngle", o.feature_angle,
         FieldInfo{0, 180, "degrees", "Edges that bend by more are kept as edges of the mesh."});
   visit("keepGroups", o.keep_groups,

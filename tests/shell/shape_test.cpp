@@ -1,5 +1,5 @@
-// Shape optimisation on surfaces: walks are straight, energies are what their gradients say, and a
-// mesh that was thrown into disorder finds back without leaving the surface or its features.
+// Shape optimisation on surfaces: a mesh that was thrown into disorder finds back without leaving
+// the surface or its features, and what no position of the vertices mends gets other quads.
 #include "shell/shape/shape.h"
 
 #include <algorithm>
@@ -9,7 +9,6 @@
 
 #include "base/rng.h"
 #include "catch.h"
-#include "cleanup/shape_energy.h"
 #include "numerics/elementary.h"
 #include "shell/mesh_surface.h"
 #include "shell/place.h"
@@ -89,30 +88,6 @@ bool is_on_surface(const Meshed& meshed) {
   return true;
 }
 
-SpaceQuad some_quad(Rng& rng) {
-  SpaceQuad p{Vec3{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  for (Vec3& q : p) q += {rng.between(-0.2, 0.2), rng.between(-0.2, 0.2), rng.between(-0.2, 0.2)};
-  return p;
-}
-
-/// Largest difference between a gradient and central differences.
-template <class Energy>
-double gradient_error(const SpaceQuad& p, Energy&& energy) {
-  constexpr double step = 1e-6;
-  SpaceQuad gradient{}, unused{};
-  energy(p, gradient);
-  double worst = 0;
-  for (int k = 0; k < 4; ++k)
-    for (double Vec3::*x : {&Vec3::x, &Vec3::y, &Vec3::z}) {
-      SpaceQuad a = p, b = p;
-      a[k].*x -= step;
-      b[k].*x += step;
-      const double slope = (energy(b, unused) - energy(a, unused)) / (2 * step);
-      worst = std::max(worst, std::abs(slope - gradient[k].*x));
-    }
-  return worst;
-}
-
 constexpr double groove_angle = 12 * turn / 360;  // on each side of the x axis
 
 /// A disc with a groove between two creases that leave its middle at 24 degrees; beside the groove
@@ -145,84 +120,6 @@ SurfaceSoup grooved_disc(double roughness) {
 }
 
 }  // namespace
-
-TEST_CASE("walks on a flat surface are straight and stop at the border") {
-  const SurfaceMesh square = plane_square(7);
-  const std::vector<char> barrier(3 * square.triangles.size(), 0);
-  const SurfaceWalker walker(square, barrier);
-  Rng rng(1);
-  for (int i = 0; i < 200; ++i) {
-    const SurfacePlace start{static_cast<Index>(rng.below(square.triangles.size())),
-                             {0.2, 0.3, 0.5}};
-    const Vec3 from = point_at(square, start);
-    const Vec3 way{rng.between(-0.6, 0.6), rng.between(-0.6, 0.6), 0};
-    const TriangleAxes axes = axes_of(square, start.triangle);
-    const WalkEnd end = walker.walk(start, {dot(way, axes.x), dot(way, axes.y)});
-    const Vec3 goal = from + way, to = point_at(square, end.place);
-    CHECK(end.whole == (goal.x > 0 && goal.x < 1 && goal.y > 0 && goal.y < 1));
-    if (end.whole) CHECK(distance(goal, to) < 1e-12);
-    CHECK(length(cross(to - from, way)) < 1e-12);
-    const TriangleAxes last = axes_of(square, end.place.triangle);
-    CHECK(distance(end.turn.x * last.x + end.turn.y * last.y, axes.x) < 1e-12);
-  }
-}
-
-TEST_CASE("a walk round a pipe comes back, and a barrier stops it") {
-  const int n = 24;
-  const SurfaceMesh pipe = cylinder(n, 6, 1, 3);
-  std::vector<char> barrier(3 * pipe.triangles.size(), 0);
-  const double round = n * 2 * std::sin(turn / 2 / n);
-  const SurfacePlace start{30, {0.3, 0.3, 0.4}};
-  const Vec3 from = point_at(pipe, start);
-  const TriangleAxes axes = axes_of(pipe, start.triangle);
-  const Vec3 way = cross(Vec3{0, 0, 1}, axes.normal);
-  const Vec2 flat = {round * dot(way, axes.x), round * dot(way, axes.y)};
-  CHECK(distance(point_at(pipe, SurfaceWalker(pipe, barrier).walk(start, flat).place), from) <
-        1e-12);
-  for (Index e = 0; e < static_cast<Index>(barrier.size()); ++e)
-    barrier[e] = pipe.points[pipe.origin(e)].x < -0.999 && pipe.points[pipe.target(e)].x < -0.999;
-  const WalkEnd stopped = SurfaceWalker(pipe, barrier).walk(start, flat);
-  CHECK(!stopped.whole);
-  CHECK(point_at(pipe, stopped.place).x < -0.999);
-}
-
-TEST_CASE("energies in space have the gradients they say") {
-  Rng rng(3);
-  const Vec3 up{0, 0, 1};
-  SpaceEtaOptions eta;
-  eta.size_weight = 0.1;
-  eta.area_weight = 0.2;
-  eta.cover_weight = 0.3;
-  for (int i = 0; i < 50; ++i) {
-    const SpaceQuad p = some_quad(rng);
-    CHECK(gradient_error(p, [&](const SpaceQuad& q, SpaceQuad& gradient) {
-            return eta_energy(q, 1.3, up, eta, gradient).value;
-          }) < 1e-5);
-    CHECK(gradient_error(p, [&](const SpaceQuad& q, SpaceQuad& gradient) {
-            return mean_ratio_energy(q, 1.3, up, {.epsilon = 0.1}, gradient).value;
-          }) < 1e-5);
-  }
-}
-
-TEST_CASE("in a plane the energies are those of the plane") {
-  Rng rng(4);
-  for (int i = 0; i < 50; ++i) {
-    SpaceQuad p = some_quad(rng), unused{};
-    std::vector<Vec2> flat, by_flat(4);
-    for (Vec3& q : p) {
-      q.z = 0;
-      flat.push_back({q.x, q.y});
-    }
-    const Face face{0, 1, 2, 3};
-    const double unit = 1.3;
-    SpaceEtaOptions eta;
-    eta.area_weight = 0.2;
-    CHECK(eta_energy(p, unit, {0, 0, 1}, eta, unused).value ==
-          Approx(eta_energy({&face, 1}, flat, {&unit, 1}, eta, by_flat).value).margin(1e-12));
-    CHECK(mean_ratio_energy(p, unit, {0, 0, 1}, {}, unused).value ==
-          Approx(mean_ratio_energy({&face, 1}, flat, {&unit, 1}, {}, by_flat).value));
-  }
-}
 
 TEST_CASE("no more iterations are made than are given, but the given ones are") {
   for (const int iterations : {0, 1, 2, 4, 7}) {

@@ -114,26 +114,26 @@ class PatchEdit {
   }
 
   /// Corner k of f, straight between two sides on features, gets a second quad: f and the quad
-  /// beyond its side after next (or the one after that) are divided in four, and what was irregular
-  /// at the corner is so inside:
+  /// beyond one of its other sides (b c, after the corner or before it) are divided in four, and
+  /// what was irregular at the corner is so inside:
   ///
   ///   b---v---a      b---v---a
   ///   | \     |      |\  |   |
   ///   |   \   |  >   | s-r   |      b v and v a lie on features
   ///   |     \ |      | |  \  |
   ///   d-e-----c      d-e-----c
-  bool share_corner(Index f, Index k, bool beyond_last) {
+  bool share_corner(Index f, Index k, bool before) {
     const auto corner = [&](int i) { return face(f)[(k + i) & 3]; };
-    const Index v = corner(0), c = corner(2), b = corner(beyond_last ? 3 : 1);
+    const Index v = corner(0), c = corner(2), b = corner(before ? 3 : 1);
     if (!is_wall(corner(3), v) || !is_wall(v, corner(1)) || is_wall(b, c)) return false;
-    const Index g = beyond_last ? face_with(b, c) : face_with(c, b);
+    const Index g = before ? face_with(b, c) : face_with(c, b);
     if (g == none || g == f || face(g)[3] == none) return false;
     const Index at_b = corner_of(face(g), b), e = face(g)[(at_b + 2) & 3];
-    const Index d = face(g)[(at_b + (beyond_last ? 3 : 1)) & 3], a = corner(beyond_last ? 1 : 3);
+    const Index d = face(g)[(at_b + (before ? 3 : 1)) & 3], a = corner(before ? 1 : 3);
     const Index side = patch_.mesh.face[f], r = add_between(v, c, e, side);
     const Index s = add_between(b, e, c, patch_.mesh.face[g]);
     std::array<Face, 4> parts{Face{a, v, r, c}, {v, b, s, r}, {b, d, e, s}, {r, s, e, c}};
-    if (beyond_last)
+    if (before)
       for (Face& part : parts) std::reverse(part.begin(), part.end());
     patch_.mesh.faces[f] = parts[0];
     patch_.mesh.faces[g] = parts[2];
@@ -252,8 +252,8 @@ class RefillList {
       open_at(patch_.mesh.faces[f_][k]);
     }
     for (Index k = 0; k < 4; ++k)
-      for (const bool beyond_last : {false, true})
-        try_edit([&](PatchEdit& edit) { return edit.share_corner(f_, k, beyond_last); });
+      for (const bool before : {false, true})
+        try_edit([&](PatchEdit& edit) { return edit.share_corner(f_, k, before); });
     try_edit([&](PatchEdit& edit) { return edit.put_ring(f_); });
     return std::move(result_);
   }

@@ -89,7 +89,7 @@ bool is_pinched(const Part& part, std::span<const Vec2> uv, double gap) {
   for (const Index e : part.loops.values) corners.push_back(part.origin(e));
   sort_numbers(corners, [&](Index v, Index w) {
     if (part.vertex[v] != part.vertex[w]) return part.vertex[v] < part.vertex[w];
-    return uv[v].x != uv[w].x ? uv[v].x < uv[w].x : v < w;
+    return uv[v].x < uv[w].x;
   });
   const auto may_meet = [&](Index v, Index w) {
     return part.vertex[v] == part.vertex[w] && uv[w].x - uv[v].x <= gap;
