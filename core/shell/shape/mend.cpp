@@ -18,7 +18,7 @@ constexpr double good = 0.98;         // eta; patches without worse quads have n
 constexpr double least_moved = 0.02;  // eta; worse quads stay as they are while others move
 // Of the longest side of a face: a side that is shorter still grows.
 constexpr double shortest_side = 0.03;
-// Of the mesh size: sides of new quads must not be shorter, however good their angles are.
+// Of the mesh size: a change of connectivity adds no side that is shorter, however good its angles.
 constexpr double vanished_side = 1e-4;
 // Energy that a change of connectivity must save: about one quad of eta 0.55 made good. A pair of
 // irregular vertices is not worth less.
@@ -105,13 +105,14 @@ class Mender::Run {
     return lpq::faces_around(mesh_, stars_, f, width);
   }
 
-  bool has_vanished_side(const ShellMesh& mesh) const {
-    return std::any_of(mesh.faces.begin(), mesh.faces.end(), [&](const Face& face) {
+  Index count_vanished_sides(const ShellMesh& mesh) const {
+    Index count = 0;
+    for (const Face& face : mesh.faces) {
       const double least = vanished_side * ground_.size_at(mesh.places[face[0]]);
       for (int k = 0, n = corner_count(face); k < n; ++k)
-        if (distance(mesh.points[face[(k + 1) % n]], mesh.points[face[k]]) < least) return true;
-      return false;
-    });
+        count += distance(mesh.points[face[(k + 1) % n]], mesh.points[face[k]]) < least;
+    }
+    return count;
   }
 
   void mend(Index f, bool refill) {
@@ -120,6 +121,7 @@ class Mender::Run {
     if (refill || signed_eta(ground_, mesh_, f) < 0)
       tries = refills(ground_, best, index_of(f, best.faces));
     Verdict least = verdict(best);
+    const Index vanished = count_vanished_sides(best.mesh);
     bool better = false;
     ShapePatch moved = best;
     if (const Verdict now = smooth(moved); is_better(now, least, 0)) {
@@ -130,7 +132,7 @@ class Mender::Run {
     for (ShapePatch& patch : tries) {
       const Verdict now = smooth(patch);
       if (!is_better(now, least, best.changed ? 0 : least_saving)) continue;
-      if (has_vanished_side(patch.mesh)) continue;
+      if (count_vanished_sides(patch.mesh) > vanished) continue;
       best = std::move(patch);
       least = now;
       better = true;
