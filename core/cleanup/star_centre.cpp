@@ -39,9 +39,14 @@ class Kernel {
     return least;
   }
 
+  // The line that was too near before mostly is so again.
   bool is_farther(Vec2 x, double than) const {
-    for (const Line& line : lines_)
-      if (line.distance(x) <= than) return false;
+    if (lines_[nearest_].distance(x) <= than) return false;
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      if (lines_[i].distance(x) <= than) {
+        nearest_ = i;
+        return false;
+      }
     return true;
   }
 
@@ -94,6 +99,7 @@ class Kernel {
   }
 
   std::vector<Line> lines_;
+  mutable std::size_t nearest_ = 0;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "cli/args.h"
 
 #include "base/nearest_name.h"
+#include "base/words.h"
 #include "io/number.h"
 
 namespace lpq {
@@ -10,11 +11,7 @@ namespace {
 Error usage(std::string message) { return {ErrorCode::bad_option, std::move(message), {}}; }
 
 std::string limits_text(const FieldInfo& info) {
-  std::string text = "a number between ";
-  append_number(text, info.min);
-  text += " and ";
-  append_number(text, info.max);
-  return text;
+  return "a number between " + short_number(info.min) + " and " + short_number(info.max);
 }
 
 /// The text as a value of the member's type; returns what was expected where it is not one.

@@ -145,15 +145,17 @@ ChartRun::ChartRun(const Charted& charted, const CurveNodes& nodes, Index chart)
 }
 
 std::optional<Result<OutputMesh>> ChartRun::step(const Options& options) {
-  std::optional<Error> failure = advance(options);
-  if (!failure && mesher_->stage() != Stage::done) return std::nullopt;
-  if (!failure) {
+  const std::optional<Error> failure = advance(options);
+  const bool is_made = !failure && mesher_->stage() == Stage::done;
+  if (!failure && !is_made && !repeats_a_try()) return std::nullopt;
+  if (failure) failure_ = failure;
+  if (is_made) {
     const QuadMesh& quads = mesher_->quads();
     keep_better(quads, quad_quality(quads).eta_min, mesher_->output());
   }
   if (begin_again(options)) return std::nullopt;
   if (best_) return Result<OutputMesh>(std::move(*best_));
-  return Result<OutputMesh>(std::move(*failure));
+  return Result<OutputMesh>(std::move(*failure_));
 }
 
 std::optional<Error> ChartRun::advance(const Options& options) {
@@ -166,6 +168,20 @@ std::optional<Error> ChartRun::advance(const Options& options) {
   }
   const auto stage = mesher_->step();
   return stage ? std::nullopt : std::optional(stage.error());
+}
+
+/// Is it about to clean up the same quads as another try? Without room for vertices inside the
+/// fields decide nothing.
+bool ChartRun::repeats_a_try() {
+  if (is_matched_ || mesher_->stage() != Stage::clean) return false;
+  is_matched_ = true;
+  const QuadMesh& quads = mesher_->quads();
+  Fnv1a hash;
+  hash.add(std::span<const Vec2>(quads.points));
+  hash.add(std::span<const Face>(quads.faces));
+  if (std::find(matched_.begin(), matched_.end(), hash.value()) != matched_.end()) return true;
+  matched_.push_back(hash.value());
+  return false;
 }
 
 bool ChartRun::keep_better(const QuadMesh& quads, double eta_min, OutputMesh output) {
@@ -206,6 +222,7 @@ bool ChartRun::begin_again(const Options& options) {
   const bool took_grid = tries_ == 0 && mesher_ && take_grids(options);
   if (!isometric_ || !whole_face_ || !may_gain(took_grid)) return false;
   ++tries_;
+  is_matched_ = false;
   mesher_.reset();
   return true;
 }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "base/result.h"
 #include "mesh/output_mesh.h"
@@ -42,6 +43,7 @@ class ChartRun {
 
  private:
   std::optional<Error> advance(const Options& options);
+  bool repeats_a_try();
   bool keep_better(const QuadMesh& quads, double eta_min, OutputMesh output);
   bool take(std::optional<QuadMesh> grid, const Options& options);
   bool take_grids(const Options& options);
@@ -58,9 +60,12 @@ class ChartRun {
   // With fields of the chain's own: large triangles know one direction each, its background follows
   // the border.
   std::size_t tries_ = 0;
+  std::vector<std::uint64_t> matched_;  // fingerprints of what tries began to clean up
+  bool is_matched_ = false;             // has this try?
   std::optional<Mesher> mesher_;
   std::optional<OutputMesh> best_;
-  MeshCost cost_;  // of the best
+  MeshCost cost_;                 // of the best
+  std::optional<Error> failure_;  // of the last try that failed
 };
 
 }  // namespace lpq

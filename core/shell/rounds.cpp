@@ -17,8 +17,9 @@ namespace {
 constexpr double default_growth = 0.3;
 // Sizes become smaller near the faults alone at first.
 constexpr Index most_rounds = 12, local_rounds = 3;
-// A mesh that is only too coarse in places is good enough after so many.
-constexpr int most_doubts = 2;
+// A mesh that is only too coarse in places is good enough after so many, or where smaller sizes
+// have had faults in so many.
+constexpr int most_doubts = 2, most_faulty = 3;
 constexpr double most_left = 0.8;  // of the crossings per face, or smaller sizes do not help
 // Room for more quads than at first by so much: smaller sizes are not what the surface lacks.
 constexpr double most_growth = 8, some_quads = 2000;
@@ -95,7 +96,10 @@ std::optional<Error> ChartRounds::end_round(MeshedCharts made) {
   mesh_ = std::move(made.mesh);
   std::vector<Fault> faults = faults_of(made.failures);
   if (faults.empty()) faults = faults_at(check_shell(cut_.surface, mesh_, most_faults));
-  if (!faults.empty()) return try_again(faults);
+  if (!faults.empty()) {
+    if (kept_ && ++faulty_ == most_faulty && take_kept()) return std::nullopt;
+    return try_again(faults);
+  }
   done_ = true;
   refine_doubts();
   return std::nullopt;

@@ -51,6 +51,7 @@ TEST_CASE("a wrong value says what was expected") {
   CHECK(message({"--norm", "30"}) == "Option --norm must be a number between 2 and 20, not '30'.");
   CHECK(message({"--norm", "six"}).find("between 2 and 20") != std::string::npos);
   CHECK(message({"--norm=nan"}).find("between 2 and 20") != std::string::npos);
+  CHECK(message({"--size=-1"}).find("between 0 and 1e+300") != std::string::npos);
   CHECK(message({"--iterations", "2.5"}) ==
         "Option --iterations must be a whole number, not '2.5'.");
   CHECK(message({"--method", "good"}) == "Option --method must be best or paper, not 'good'.");
