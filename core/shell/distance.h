@@ -14,7 +14,7 @@ struct Distance {
 };
 
 struct SurfaceDistance {
-  Distance to_surface;    // from the mesh: vertices, middles of edges and of faces
+  Distance to_surface;  // from the mesh: vertices, middles of edges and of faces
   // From the surface: vertices, and places a quarter of a side apart, or more where the mesh is far
   // finer than elsewhere.
   Distance from_surface;

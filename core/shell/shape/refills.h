@@ -10,8 +10,8 @@
 
 namespace lpq {
 
-/// Every possible change around face f (a quad) of the patch, doublets removed; a closed patch keeps
-/// its Euler number. Vertices are not placed well: the caller moves them, and judges.
+/// Every possible change around face f (a quad) of the patch, doublets removed; a closed patch
+/// keeps its Euler number. Vertices are not placed well: the caller moves them, and judges.
 std::vector<ShapePatch> refills(const ShapeGround& ground, const ShapePatch& patch, Index f);
 
 }  // namespace lpq
