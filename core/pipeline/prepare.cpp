@@ -7,7 +7,7 @@
 #include "base/words.h"
 #include "field/make_fields.h"
 #include "geometry/box.h"
-#include "pipeline/idle_sizes.h"
+#include "pipeline/idle_inputs.h"
 #include "pipeline/user_fields.h"
 
 namespace lpq {
@@ -254,9 +254,12 @@ Result<Preparation> prepare(const DomainInput& input, const Options& options,
   auto fields = make_fields(prepared.boundary, graded->fields);
   if (!fields) return in_world(fields.error(), frame);
   prepared.fields = std::move(*fields);
-  for (Warning& warning :
-       idle_sizes(given, frame, prepared.boundary, graded->fields, prepared.fields))
-    prepared.boundary.warnings.push_back(std::move(warning));
+  const auto tell = [&](std::vector<Warning> warnings) {
+    for (Warning& warning : warnings) prepared.boundary.warnings.push_back(std::move(warning));
+  };
+  tell(idle_sizes(given, frame, prepared.boundary, graded->fields, prepared.fields));
+  tell(idle_guides(given, graded->fields, prepared.fields));
+  tell(idle_seeds(given, frame, prepared.fields));
   for (const Vec2 seed : given.seeds) prepared.seeds.push_back(frame.to_frame(seed));
   return prepared;
 }

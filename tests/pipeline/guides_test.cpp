@@ -137,6 +137,23 @@ TEST_CASE("a guide outside the domain changes no bit") {
   CHECK(guided(disc(0.05), {}, user).report.hash == guided(disc(0.05), {}, {}).report.hash);
 }
 
+TEST_CASE("guides that no part of the domain follows are told, with the first") {
+  const Guide inside{{0.2, 0.2}, {0.8, 0.7}}, through{{-1, 0.4}, {2, 0.6}}, far{{3, 3}, {4, 5}};
+  UserFields user;
+  const auto warnings = [&] { return guided(square(1, 0.1), {}, user).report.warnings; };
+  user.guides = {inside, through};
+  CHECK(warnings().empty());
+  user.guides = {inside, far, {{-9, 2}, {-8, 2}}};
+  const auto told = warnings();
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].code == ErrorCode::ignored);
+  CHECK(told[0].message.find("2 of 3 guides lie outside") == 0);
+  CHECK(told[0].where.guide == 1);
+  CHECK(told[0].where.x == 3);
+  user.angle = [](Vec2) { return 0.0; };  // wins over all of them
+  CHECK(warnings().empty());
+}
+
 TEST_CASE("a guide without a direction is refused at its place among the caller's coordinates") {
   UserFields user;
   user.guides = {{{300, 300}, {400, 410}}, {{350, 301}, {350, 301}}};

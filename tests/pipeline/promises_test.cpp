@@ -290,6 +290,13 @@ TEST_CASE("L_p squares up the caller's own start: paper Fig. 12") {
   carrying.seeds = {{0.5, 0.5}};
   CHECK(mesh_domain(carrying, paper, {}, nullptr, user)->report.hash == outcome->report.hash);
   CHECK(mesh_domain(carrying, paper)->report.seeds == 1);
+  CHECK(mesh_domain(carrying, paper)->report.warnings.empty());
+  carrying.seeds = {{0.5, 0.5}, {1.5, 0.5}, {1e300, 0}, {1, 0.5}};  // the last on the boundary
+  const auto told = mesh_domain(carrying, paper)->report.warnings;
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].code == ErrorCode::ignored);
+  CHECK(told[0].message.find("2 of 4 start points lie outside") == 0);
+  CHECK(told[0].where.x == 1.5);
 
   carrying.seeds = {{0.5, std::nan("")}};
   CHECK(mesh_domain(carrying, kept).error().code == ErrorCode::non_finite);
