@@ -21,11 +21,15 @@ double usual_size(const BoundaryMesh& boundary, const FieldOptions& options, con
   return size;
 }
 
+constexpr double rounding = 1e-12;  // of the unit frame
+
 /// How far outside the domain, and in `hint` the nearest triangle. 0 for points of the wall, too,
 /// which are outside by rounding.
 double distance_outside(const Fields& fields, Vec2 p, Index& hint) {
   if (fields.locator.find(p, hint) != none) return 0;
-  return distance_to_triangle(fields.background, fields.locator.find_nearest(p, hint), p);
+  const Index nearest = fields.locator.find_nearest(p, hint);
+  const double distance = distance_to_triangle(fields.background, nearest, p);
+  return distance > rounding ? distance : 0;
 }
 
 /// "2 of 3 guides lie outside the domain."

@@ -144,7 +144,7 @@ class Mender::Run {
   }
 
   const ShapeGround& ground_;
-  const SmoothOptions& options_;
+  SmoothOptions options_;
   ShellMesh& mesh_;
   std::vector<VertexRole>& roles_;
   FaceStars stars_;

@@ -68,7 +68,7 @@ class ShapeSmoother {
   double own_unit(Index f) const;
 
   const ShapeGround& ground_;
-  const SmoothOptions& options_;
+  SmoothOptions options_;
   ShellMesh& mesh_;
   Freedom freedom_;
   ShellDescent descent_;
