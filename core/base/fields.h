@@ -33,6 +33,7 @@ const char* choice_name(E value) {
   return ChoiceNames<E>::names[static_cast<std::size_t>(value)];
 }
 
+/// The error of code `beyond` if the value is out of the inclusive range, or NaN.
 inline Problem judge_range(const char* name, double value, double min, double max,
                            ErrorCode beyond) {
   if (value >= min && value <= max) return std::nullopt;

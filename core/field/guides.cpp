@@ -133,6 +133,20 @@ std::vector<Chord> chords_of(std::span<const DomainInput::Guide> guides, const T
   return chords;
 }
 
+std::vector<Index> guides_outside(std::span<const DomainInput::Guide> guides, const TriMesh& mesh,
+                                  std::span<const double> h) {
+  std::vector<Index> outside;
+  if (guides.empty()) return outside;
+  std::vector<Chord> chords;
+  Cutter cutter(mesh, h, chords);
+  for (std::size_t i = 0; i < guides.size(); ++i) {
+    const std::size_t before = chords.size();
+    cutter.cut(guides[i]);
+    if (chords.size() == before) outside.push_back(static_cast<Index>(i));
+  }
+  return outside;
+}
+
 std::vector<Source> sources_along(std::span<const Chord> chords) {
   std::vector<Source> sources;
   for (const Chord& chord : chords) {

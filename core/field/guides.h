@@ -23,6 +23,10 @@ struct Chord {
 std::vector<Chord> chords_of(std::span<const DomainInput::Guide> guides, const TriMesh& mesh,
                              std::span<const double> h);
 
+/// Numbers of the guides that have no chord: no part of the domain follows them. Cost as above.
+std::vector<Index> guides_outside(std::span<const DomainInput::Guide> guides, const TriMesh& mesh,
+                                  std::span<const double> h);
+
 /// Places along the chords where the background must be as fine as they are.
 std::vector<Source> sources_along(std::span<const Chord> chords);
 

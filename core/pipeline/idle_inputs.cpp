@@ -10,6 +10,8 @@
 namespace lpq {
 namespace {
 
+constexpr double rounding = 1e-12;  // of the unit frame
+
 /// What is asked for at the triangle without sizes at points: the constant size, or the spacing of
 /// the walls there.
 double usual_size(const BoundaryMesh& boundary, const FieldOptions& options, const Fields& fields,
@@ -20,8 +22,6 @@ double usual_size(const BoundaryMesh& boundary, const FieldOptions& options, con
     if (v < static_cast<Index>(boundary.spacing.size())) size = std::max(size, boundary.spacing[v]);
   return size;
 }
-
-constexpr double rounding = 1e-12;  // of the unit frame
 
 /// How far outside the domain, and in `hint` the nearest triangle. 0 for points of the wall, too,
 /// which are outside by rounding.
@@ -74,10 +74,7 @@ std::vector<Warning> idle_sizes(const UserFields& user, const UnitFrame& frame,
 std::vector<Warning> idle_guides(const UserFields& user, const FieldOptions& options,
                                  const Fields& fields) {
   if (user.angle) return {};
-  std::vector<Index> idle;
-  for (std::size_t i = 0; i < options.guides.size(); ++i)
-    if (chords_of(std::span(&options.guides[i], 1), fields.background, fields.h).empty())
-      idle.push_back(static_cast<Index>(i));
+  const std::vector<Index> idle = guides_outside(options.guides, fields.background, fields.h);
   if (idle.empty()) return {};
   const Index first = idle.front();
   Warning warning =

@@ -64,7 +64,7 @@ struct UserFields {
   std::vector<Guide> guides;          // strokes whose direction the crosses follow nearby
   std::function<double(Vec2)> angle;  // direction of the crosses, radians; wins over all guides
   std::function<Vec2(Vec2)> stretch;  // Fields::stretch: sizes and directions are those after it
-  std::vector<Vec2> seeds;  // interior points to start L_p from; those not inside are left out
+  std::vector<Vec2> seeds;            // interior points to start L_p from; others are left out
 };
 
 /// How points are placed; of the planar chain, wherever it runs.

@@ -97,7 +97,7 @@ std::optional<Error> ChartRounds::end_round(MeshedCharts made) {
   std::vector<Fault> faults = faults_of(made.failures);
   if (faults.empty()) faults = faults_at(check_shell(cut_.surface, mesh_, most_faults));
   if (!faults.empty()) {
-    if (kept_ && ++faulty_ == most_faulty && take_kept()) return std::nullopt;
+    faulty_ += kept_.has_value();
     return try_again(faults);
   }
   done_ = true;
@@ -165,7 +165,7 @@ std::vector<Fault> ChartRounds::faults_at(const std::vector<Violation>& violatio
 std::optional<Error> ChartRounds::try_again(const std::vector<Fault>& faults) {
   if (round_ == 1) divide_tips();
   if (round_ > 1) keep_vertices(faults);
-  if (round_ == most_rounds || has_grown() ||
+  if (round_ == most_rounds || faulty_ == most_faulty || has_grown() ||
       !make_smaller(cut_.surface, faults, round_ > local_rounds, growth_of(options_), size_) ||
       (kept_ && surface_capacity(cut_.surface, size_) > options_.max_elements))
     return take_kept() ? std::nullopt : std::optional(failed(faults.front()));

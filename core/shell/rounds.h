@@ -85,7 +85,7 @@ class ChartRounds {
   };
   std::optional<Kept> kept_;  // good enough, while a better one is tried
   int doubts_ = 0;            // rounds for meshes that were too coarse in places
-  int faulty_ = 0;            // of these, and those after them, that failed
+  int faulty_ = 0;            // rounds with faults since a mesh is kept
   Index round_ = 1;
   bool done_ = false;
 };
