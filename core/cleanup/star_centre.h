@@ -16,8 +16,8 @@ struct StarCentre {
   double before = 0, after = 0;  // least signed distance to a line, in units of `size`
 };
 
-/// `faces` are those around v. The search stays within 2 `size` of v. Cost O(k^4) for k faces:
-/// tiny.
+/// `faces` are those around v. The search stays within 2 `size` of v. Cost O(k) for k faces, times
+/// about as many exchanges of the simplex method as a star has sides.
 StarCentre star_centre(std::span<const Vec2> points, std::span<const Face> all,
                        std::span<const Index> faces, Index v, double size);
 

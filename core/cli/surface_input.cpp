@@ -10,7 +10,7 @@
 #include <cstddef>
 
 // wasm/js/cli.js hands in a reader of CAD files. First it makes the text and tells its length,
-// below zero for a sentence that says what is wrong; then it copies the text.
+// below zero for a code and a sentence that say what is wrong; then it copies the text.
 EM_JS(double, lpq_cad_load, (const char* bytes, std::size_t length, const char* name, double size),
       {
         const from = bytes >>> 0;
@@ -24,13 +24,23 @@ namespace lpq {
 namespace {
 
 #ifdef __EMSCRIPTEN__
+/// From "CODE What is wrong."
+Error error_from(const std::string& text) {
+  const std::size_t blank = text.find(' ');
+  Error error{ErrorCode::parse_error, text.substr(blank + 1), {}};
+  for (int code = 0; code <= static_cast<int>(ErrorCode::io_error); ++code)
+    if (text.substr(0, blank) == code_name(static_cast<ErrorCode>(code)))
+      error.code = static_cast<ErrorCode>(code);
+  return error;
+}
+
 Result<std::string> cad_triangles(const std::string& name, double size) {
   const auto bytes = read_file(name);
   if (!bytes) return bytes.error();
   const double length = lpq_cad_load(bytes->data(), bytes->size(), name.c_str(), size);
   std::string text(static_cast<std::size_t>(length < 0 ? -length : length), ' ');
   lpq_cad_take(text.data());
-  if (length < 0) return Error{ErrorCode::parse_error, text, {}};
+  if (length < 0) return error_from(text);
   return text;
 }
 #else

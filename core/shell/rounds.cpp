@@ -1,6 +1,10 @@
 // See rounds.h.
 #include "shell/rounds.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "base/words.h"
 #include "shell/check.h"
 #include "shell/crossings.h"
@@ -20,11 +24,14 @@ constexpr Index most_rounds = 12, local_rounds = 3;
 // A mesh that is only too coarse in places is good enough after so many, or where smaller sizes
 // have had faults in so many.
 constexpr int most_doubts = 2, most_faulty = 3;
-constexpr double most_left = 0.8;  // of the crossings per face, or smaller sizes do not help
+// Of the crossings for the size, or of the places that are too coarse: else smaller sizes do not
+// help.
+constexpr double most_left = 0.8;
 // Room for more quads than at first by so much: smaller sizes are not what the surface lacks.
 constexpr double most_growth = 8, some_quads = 2000;
-constexpr double one_point = 1e-12;                           // of the diagonal
-constexpr std::size_t most_faults = 100, most_doubtful = 30;  // that a round looks at
+constexpr double one_point = 1e-12;  // of the diagonal
+// That a round looks at. Of faults nearly all: a thousand may be along one tube of hundreds.
+constexpr std::size_t most_faults = 100'000, most_doubtful = 30;
 
 SurfaceFeatures features_and_cuts(const Cut& cut) {
   SurfaceFeatures lines = cut.features;
@@ -115,14 +122,18 @@ void ChartRounds::refine_doubts() {
   // through each other.
   if (places == most_doubtful) doubts.clear();
   const double crossings = add_crossings(doubts);
-  const bool better = !kept_ || crossings < kept_->crossings ||
-                      (crossings == kept_->crossings && places < kept_->places);
-  // Smaller faces cross more others: there may be more at first on the way to none.
-  const auto per_face = [](double count, const ShellMesh& mesh) {
-    return count / static_cast<double>(mesh.faces.size());
+  const bool fewer_places =
+      !kept_ || static_cast<double>(places) < most_left * static_cast<double>(kept_->places);
+  const bool better =
+      !kept_ || crossings < kept_->crossings || (crossings == kept_->crossings && fewer_places);
+  // Where sheets meet along a line, faces half as large cross twice as many others: there may be
+  // more at first on the way to none.
+  const auto per_side = [](double count, const ShellMesh& mesh) {
+    return count / std::sqrt(static_cast<double>(mesh.faces.size()));
   };
   const bool helps =
-      better || per_face(crossings, mesh_) < most_left * per_face(kept_->crossings, kept_->mesh);
+      !kept_ || (better && fewer_places) ||
+      per_side(crossings, mesh_) < most_left * per_side(kept_->crossings, kept_->mesh);
   if (!helps || doubts_ == most_doubts || round_ == most_rounds || doubts.empty()) {
     if (!better) take_kept();
     return;
@@ -212,10 +223,21 @@ Error ChartRounds::failed(const Fault& fault) const {
     at = cut_.surface.points[fault.everywhere[0]];
   else
     return {ErrorCode::no_valid_mesh, "No valid mesh was found: " + fault.error.message, {}};
-  return {ErrorCode::no_valid_mesh,
-          "No mesh was found for the part of the surface near " + place_in_space(at.x, at.y, at.z) +
-              ": " + fault.error.message,
-          {}};
+  std::string message = "No mesh was found for the part of the surface near " +
+                        place_in_space(at.x, at.y, at.z) + ": " + fault.error.message;
+  if (has_grown())
+    message += " The surface is narrow in many places; even quads of size " +
+               short_number(size_there(fault)) +
+               " are too large there, and smaller ones would be more than " +
+               short_number(most_growth) + " times as many as asked for. Use a smaller size.";
+  return {ErrorCode::no_valid_mesh, std::move(message), {}};
+}
+
+double ChartRounds::size_there(const Fault& fault) const {
+  if (fault.place.triangle != none) return size_at(cut_.surface.triangles, fault.place, size_);
+  double least = size_[fault.everywhere[0]];
+  for (const Index v : fault.everywhere) least = std::min(least, size_[v]);
+  return least;
 }
 
 }  // namespace lpq

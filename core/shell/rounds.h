@@ -62,6 +62,7 @@ class ChartRounds {
   bool has_grown() const;
   bool take_kept();
   Error failed(const Fault& fault) const;
+  double size_there(const Fault& fault) const;
 
   Cut cut_;
   SurfaceOptions options_;

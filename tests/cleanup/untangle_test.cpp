@@ -1,6 +1,10 @@
 // Untangling by moving vertices.
 #include "cleanup/untangle.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "base/rng.h"
 #include "catch.h"
 #include "cleanup/quad_topology.h"
 #include "cleanup/star_centre.h"
@@ -37,6 +41,49 @@ TEST_CASE("the centre of a star beats every point of a raster") {
         CHECK(star_centre(mesh.points, mesh.faces, stars.row(8), 8, 1).before <= best.after + 1e-9);
       }
   }
+}
+
+// Corners at random radii, some of them far out, so that the kernel may be large, small or empty
+// and the best place be at a side of the box.
+QuadMesh random_star(Index petals, std::uint64_t seed) {
+  Rng rng(seed);
+  QuadMesh mesh;
+  for (Index i = 0; i < 2 * petals; ++i) {
+    const SinCos turn = sin_cos(pi * (i + 0.8 * rng.unit()) / petals);
+    const double radius = (seed % 3 == 0 ? 20 : 1) * (0.2 + rng.unit());
+    mesh.points.push_back({radius * turn.cos, radius * turn.sin});
+  }
+  mesh.points.push_back({rng.unit() - 0.5, rng.unit() - 0.5});
+  mesh.fixed = 2 * petals;
+  for (Index i = 0; i < petals; ++i)
+    mesh.faces.push_back(
+        {2 * petals, 2 * i, 2 * i + 1, static_cast<Index>((2 * i + 2) % (2 * petals))});
+  return mesh;
+}
+
+TEST_CASE("no place in the box is better than the centre of a star of any size") {
+  for (const Index petals : {3, 4, 5, 6, 9, 15})
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+      QuadMesh mesh = random_star(petals, seed);
+      const Csr<Index> stars = faces_at_vertices(mesh);
+      const Index v = 2 * petals;
+      const auto centre = [&] { return star_centre(mesh.points, mesh.faces, stars.row(v), v, 1); };
+      const StarCentre best = centre();
+      const Vec2 at = mesh.points[v];
+      CHECK(std::max(std::abs(best.position.x - at.x), std::abs(best.position.y - at.y)) <
+            2 + 1e-9);
+      mesh.points[v] = best.position;
+      CHECK(centre().before == Approx(best.after).margin(1e-9));
+      // The least distance is concave: what is nowhere better nearby is nowhere better.
+      for (const double step : {0.5, 0.01})
+        for (int k = 0; k < 32; ++k) {
+          const SinCos turn = sin_cos(2 * pi * k / 32);
+          const Vec2 there = best.position + step * Vec2{turn.cos, turn.sin};
+          if (std::max(std::abs(there.x - at.x), std::abs(there.y - at.y)) > 2) continue;
+          mesh.points[v] = there;
+          CHECK(centre().before <= best.after + 1e-9);
+        }
+    }
 }
 
 TEST_CASE("shaken grids are untangled without moving the boundary") {

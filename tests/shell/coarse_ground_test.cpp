@@ -15,7 +15,7 @@ using namespace lpq_test;
 
 namespace {
 
-/// A ball with nothing on it but a size.
+/// A ball with nothing on it but a size, and crosses where they are asked for.
 struct Ball {
   SurfaceMesh mesh;
   SurfaceFeatures features;
@@ -27,8 +27,8 @@ struct Ball {
 
   Ball(int n, double h) : mesh(sphere(n)), size(mesh.points.size(), h) {
     features = find_features(mesh, size);
-    cross = solve_surface_cross(mesh, features.half_edges());
   }
+  void solve_crosses() { cross = solve_surface_cross(mesh, features.half_edges()); }
   Charted charted() const { return {mesh, features, cross, size, atlas, features, curves, nodes}; }
 };
 
@@ -52,7 +52,8 @@ TEST_CASE("only what is much finer than its mesh gets a coarse ground") {
 }
 
 TEST_CASE("vertices go to the coarse ground and back") {
-  const Ball ball(40, 0.3);
+  Ball ball(40, 0.3);
+  ball.solve_crosses();
   const CoarseGround ground(ball.charted());
   const Charted coarse = ground.charted();
   CHECK(4 * coarse.mesh.triangle_count() < ball.mesh.triangle_count());
@@ -82,7 +83,7 @@ TEST_CASE("crosses on the coarse ground are those of the surface") {
   flat.mesh = plane_square(40);
   flat.size.assign(flat.mesh.points.size(), 0.2);
   flat.features = find_features(flat.mesh, flat.size);
-  flat.cross = solve_surface_cross(flat.mesh, flat.features.half_edges());
+  flat.solve_crosses();
   const CoarseGround ground(flat.charted());
   const Charted coarse = ground.charted();
   for (Index t = 0; t < coarse.mesh.triangle_count(); ++t) {

@@ -373,7 +373,7 @@ TEST_CASE("a seam inside another tube is no less looked after") {
   CHECK(windows(both) >= windows(outer) + windows(inner));
 }
 
-TEST_CASE("what a mesh cuts off or adds is told") {
+TEST_CASE("what a mesh cuts off or adds is told", "[slow]") {
   for (const double size : {0.1, 0.2, 0.4}) {
     const auto outcome = mesh_surface(needle_cone(0.5, 10, 31), {.size = size});
     REQUIRE(outcome.has_value());

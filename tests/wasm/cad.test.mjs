@@ -118,8 +118,19 @@ test('what cannot be read has a code and a sentence', async () => {
   await rejectionOf('BAD_OPTION', readCad('', { name: 'x.stl', occt }));
   await rejectionOf('BAD_OPTION', readCad('', { occt }));
   await rejectionOf('EMPTY', readCad('', { format: 'step', occt }));
-  for (const read of [() => ({ success: false }), () => { throw 1234; }])
-    await rejectionOf('PARSE_ERROR', readCad('', { format: 'step', occt: { ReadStepFile: read } }));
+  for (const read of [() => ({ success: false }), () => { throw 1234; }]) {
+    const refusing = { ReadStepFile: read, ReadIgesFile: read, ReadBrepFile: read };
+    const refused = (code, text, format) => rejectionOf(code, readCad(text, { format, occt: refusing }));
+    assert.equal((await refused('EMPTY', '', 'step')).message, 'The file is empty.');
+    const starts = { step: '\n ISO-10303-21;', iges: `${' '.repeat(72)}S      1`, brep: '\nDBRep_DrawableShape\n' };
+    for (const [format, start] of Object.entries(starts)) {
+      const name = format.toUpperCase();
+      for (const mark of ['', '\ufeff'])
+        assert.equal((await refused('PARSE_ERROR', mark + start, format)).message, `The file cannot be read as ${name}.`);
+      assert.match((await refused('PARSE_ERROR', '<!DOCTYPE html>', format)).message,
+        new RegExp(`cannot be read as ${name}: it does not begin as ${name} files do`));
+    }
+  }
 });
 
 test('a STEP file is read by the installed package', needsOcct, async () => {
@@ -212,7 +223,7 @@ ENDSEC;\nEND-ISO`);
   await rejectionOf('EMPTY', readCad('', { format: 'step', occt: fakeOcct([]) }));
   const { status, stderr } = lpquad('mesh', file('as1.stp', references('rod.stp')), '-o', join(scratch, 'x.obj'));
   assert.equal(status, 3);
-  assert.match(stderr, /an assembly whose parts are in other files: rod\.stp/);
+  assert.match(stderr, /error EMPTY: .* an assembly whose parts are in other files: rod\.stp/);
 });
 
 test('npx lpquad meshes a STEP file, its faces kept', needsOcct, () => {
@@ -274,7 +285,7 @@ test('without occt-import-js a sentence says what to install', () => {
     '-o', join(scratch, 'alone.obj'), '--size', '1'], { encoding: 'utf8', cwd: home });
   const { status, stderr } = call();
   assert.equal(status, 3);
-  assert.match(stderr, /npm install occt-import-js/);
+  assert.match(stderr, /error IO_ERROR: .*npm install occt-import-js/);
   const script = `import { readCad } from './dist/cad.js';
     await readCad('', { format: 'step' }).catch((error) => console.log(error.code, error.message));`;
   const { stdout } = spawnSync(process.execPath, ['--input-type=module', '-e', script], { encoding: 'utf8', cwd: home });

@@ -43,7 +43,7 @@ const faults = {
   REGION_CONFLICT: project({ regions: [region(square(0, 0, 4)), region(square(1, 1, 1))] }, { size: 0.5 }),
   BAD_SIZE: one([square(0, 0, 1)], { size: 10 }),
   ODD_BOUNDARY: one([odd], { keepBoundary: true }),
-  LOST_PRECISION: one([square(1e12, 1e12, 1)], { size: 0.001 }),
+  LOST_PRECISION: one([square(1e15, 1e15, 64)], { size: 2 }),
   TOO_MANY_ELEMENTS: one([square(0, 0, 1)], { size: 1e-5 }),
 };
 

@@ -4,9 +4,10 @@ import { withoutRepeats } from './cad-repeats.js';
 import { LpquadError } from './errors.js';
 
 const kinds = {
-  step: { read: 'ReadStepFile', endings: ['step', 'stp'] },
-  iges: { read: 'ReadIgesFile', endings: ['iges', 'igs'] },
-  brep: { read: 'ReadBrepFile', endings: ['brep', 'brp'] },
+  step: { read: 'ReadStepFile', endings: ['step', 'stp'], begin: /^\s*ISO-10303-21/ },
+  iges: { read: 'ReadIgesFile', endings: ['iges', 'igs'], begin: /^.{72}S/ },
+  brep: { read: 'ReadBrepFile', endings: ['brep', 'brp'],
+    begin: /^\s*(?:DBRep_DrawableShape|(?:Open )?CASCADE Topology)/ },
 };
 
 export const cadFormats = Object.freeze(Object.keys(kinds));
@@ -57,10 +58,18 @@ function imported(occt, bytes, format, options) {
   }
   const meshes = result?.success ? result.meshes.filter((mesh) => mesh.index.array.length > 0) : [];
   if (format === 'step' && meshes.length === 0) refuseReferences(bytes);
-  if (!result?.success)
-    throw new LpquadError('PARSE_ERROR', `The file cannot be read as ${format.toUpperCase()}.`, {},
-      { cause: result?.cause });
+  if (!result?.success) throw unreadable(bytes, format, result?.cause);
   return withoutRepeats(meshes);
+}
+
+/** What is wrong with a file that the package refuses without a word. */
+function unreadable(bytes, format, cause) {
+  if (bytes.length === 0) return new LpquadError('EMPTY', 'The file is empty.');
+  const name = format.toUpperCase();
+  const start = new TextDecoder('latin1').decode(bytes.subarray(0, 200)).replace(/^\xef\xbb\xbf/, '');
+  const reason = kinds[format].begin.test(start) ? ''
+    : `: it does not begin as ${name} files do. Is it a page of the web, or a reference in place of the file?`;
+  return new LpquadError('PARSE_ERROR', `The file cannot be read as ${name}${reason || '.'}`, {}, { cause });
 }
 
 /** An assembly whose parts are in files of their own. */

@@ -30,11 +30,11 @@ function cadReader(occt) {
   const answer = (string) => (text = new TextEncoder().encode(string)).length;
   return {
     load(bytes, name, size) {
-      if (occt === undefined) return -answer(occtMissing);
+      if (occt === undefined) return -answer(`IO_ERROR ${occtMissing}`);
       try {
         return answer(surfaceAsObj(readCadWith(occt, bytes, { name, size })));
       } catch (error) {
-        return -answer(error.message);
+        return -answer(`${error.code} ${error.message}`);
       }
     },
     take: () => text,
