@@ -44,7 +44,7 @@ class Kernel {
     return least;
   }
 
-  /// By the dual simplex method [Lemke 1954]: three rows are tight; the one that is violated most
+  /// By the dual simplex method [L54]: three rows are tight; the one that is violated most
   /// takes the place of one of them, until none is. Where rounding ends that early, the best place
   /// seen.
   Vec2 centre() const {

@@ -343,8 +343,8 @@ SurfaceSoup needle_cone(double radius, double height, int sides) {
   SurfaceSoup soup;
   soup.points = {{0, 0, height}, {0, 0, 0}};
   for (int i = 0; i < sides; ++i) {
-    const SinCos turn = sin_cos(2 * pi * i / sides);
-    soup.points.push_back({radius * turn.cos, radius * turn.sin, 0});
+    const SinCos direction = sin_cos(2 * pi * i / sides);
+    soup.points.push_back({radius * direction.cos, radius * direction.sin, 0});
     soup.triangles.push_back({0, i + 2, (i + 1) % sides + 2});
     soup.triangles.push_back({1, (i + 1) % sides + 2, i + 2});
   }
