@@ -12,12 +12,12 @@
 namespace lpq {
 namespace {
 
-constexpr double reach = 2;          // half width of the box searched, in units of the size
-constexpr double tolerance = 1e-12;  // of a distance, in units of the size
-constexpr double nearly_tight = 1e-9;
-constexpr double parallel = 1e-10;  // least determinant of three unit rows worth dividing by
-constexpr double least_pivot = 1e-12;
-constexpr int most_exchanges = 64;  // should rounding lead round in a circle
+constexpr double reach = 2;            // half width of the box searched, in units of the size
+constexpr double tolerance = 1e-12;    // of a distance, in units of the size
+constexpr double nearly_tight = 1e-9;  // a distance that may be the least but for rounding
+constexpr double parallel = 1e-10;     // least determinant of three unit rows worth dividing by
+constexpr double least_pivot = 1e-12;  // of an exchange, and least determinant of tight rows
+constexpr int most_exchanges = 64;     // should rounding lead round in a circle
 
 // The linear programme in z = (x, y, t), with (x, y) the displacement of v in units of its size:
 // the largest t with dot(normal, z) + offset >= 0 for every row. A row is a directed line, of which

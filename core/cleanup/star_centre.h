@@ -17,7 +17,7 @@ struct StarCentre {
 };
 
 /// `faces` are those around v. The search stays within 2 `size` of v. Cost O(k) for k faces, times
-/// about as many exchanges of the simplex method as a star has sides.
+/// the exchanges of the simplex method, 64 at most.
 StarCentre star_centre(std::span<const Vec2> points, std::span<const Face> all,
                        std::span<const Index> faces, Index v, double size);
 

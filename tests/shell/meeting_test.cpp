@@ -79,7 +79,7 @@ TEST_CASE("a spire one side of which goes on past its edge has a mesh up to its 
   mesh_spires_that_go_on(0.2);
 }
 
-TEST_CASE("and so has one of small quads", "[slow]") { mesh_spires_that_go_on(0.05); }
+TEST_CASE("such a spire has a mesh of small quads, too", "[slow]") { mesh_spires_that_go_on(0.05); }
 
 TEST_CASE("sheets that meet along one edge inside them keep it as an edge of both") {
   // Two tents that share their ridge: four triangles on it, all of one part.
