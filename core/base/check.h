@@ -5,12 +5,13 @@
 #ifdef LPQ_CHECKS
 #include <cstdio>
 #include <cstdlib>
-#define LPQ_ASSERT(condition)                                                                  \
-  do {                                                                                         \
-    if (!(condition)) {                                                                        \
-      std::fprintf(stderr, "%s:%d: lpquad bug: %s does not hold\n", __FILE__, __LINE__, #condition); \
-      std::abort();                                                                            \
-    }                                                                                          \
+#define LPQ_ASSERT(condition)                                                           \
+  do {                                                                                  \
+    if (!(condition)) {                                                                 \
+      std::fprintf(stderr, "%s:%d: lpquad bug: %s does not hold\n", __FILE__, __LINE__, \
+                   #condition);                                                         \
+      std::abort();                                                                     \
+    }                                                                                   \
   } while (false)
 #else
 #define LPQ_ASSERT(condition) ((void)0)

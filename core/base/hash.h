@@ -1,4 +1,5 @@
-// FNV-1a over the bytes of plain arrays: the fingerprint of a mesh in reports and determinism tests.
+// FNV-1a over the bytes of plain arrays: the fingerprint of a mesh in reports and determinism
+// tests.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,8 @@ class Fnv1a {
   void add(std::span<const T> values) {
     static_assert(std::is_trivially_copyable_v<T>);
     const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
-    for (std::size_t i = 0; i < values.size_bytes(); ++i) state_ = (state_ ^ bytes[i]) * 0x100000001B3u;
+    for (std::size_t i = 0; i < values.size_bytes(); ++i)
+      state_ = (state_ ^ bytes[i]) * 0x100000001B3u;
   }
   std::uint64_t value() const { return state_; }
 

@@ -21,7 +21,9 @@ class Rng {
   /// Uniform in [lo, hi).
   double between(double lo, double hi) { return lo + (hi - lo) * unit(); }
   /// Uniform in 0 .. n-1 (bias below 2^-32 for n < 2^32).
-  std::uint64_t below(std::uint64_t n) { return static_cast<std::uint64_t>((next() >> 32) * n >> 32); }
+  std::uint64_t below(std::uint64_t n) {
+    return static_cast<std::uint64_t>((next() >> 32) * n >> 32);
+  }
 
  private:
   std::uint64_t state_;

@@ -14,7 +14,9 @@ struct UnitFrame {
   Vec2 shift;        // in the caller's units
   double scale = 1;  // power of two; frame = (world - shift) * scale
 
-  Vec2 to_frame(Vec2 world) const { return {(world.x - shift.x) * scale, (world.y - shift.y) * scale}; }
+  Vec2 to_frame(Vec2 world) const {
+    return {(world.x - shift.x) * scale, (world.y - shift.y) * scale};
+  }
   /// Rounds to the nearest double in the caller's units.
   Vec2 to_world(Vec2 frame) const { return {frame.x / scale + shift.x, frame.y / scale + shift.y}; }
   /// The nearest frame point that the caller's coordinates can represent.

@@ -32,7 +32,9 @@ constexpr Vec2 midpoint(Vec2 a, Vec2 b) { return {0.5 * (a.x + b.x), 0.5 * (a.y 
 inline bool is_finite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
 
 // Complex arithmetic on Vec2, for crosses: z = e^{4 i theta}.
-constexpr Vec2 complex_product(Vec2 a, Vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
+constexpr Vec2 complex_product(Vec2 a, Vec2 b) {
+  return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+}
 constexpr Vec2 conjugate(Vec2 a) { return {a.x, -a.y}; }
 
 }  // namespace lpq
