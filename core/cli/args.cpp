@@ -160,6 +160,8 @@ Result<MeshArgs> parse_mesh_args(std::span<const std::string_view> args) {
   if (const Problem wrong = parser.parse(result.inputs, result.help, result.files, result.options,
                                          result.surface_options))
     return *wrong;
+  // Before anything is read: the size may say how.
+  if (const Problem both = judge_size_options(result.options)) return usage(both->message);
   result.given = parser.given();
   return result;
 }

@@ -129,7 +129,7 @@ ShellVerdict judge_shell(const OutputMesh& mesh, const SurfaceMesh* surface) {
 }
 
 Result<SurfaceMesh> load_surface(const std::string& name, double weld) {
-  const auto bytes = read_input(name, 0);
+  const auto bytes = read_input(name);
   if (!bytes) return bytes.error();
   auto soup = read_surface_file(name, *bytes);
   if (!soup) return soup.error();

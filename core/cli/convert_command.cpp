@@ -77,7 +77,7 @@ int convert_command(std::span<const std::string_view> args, const CliStreams& st
     return exit_usage;
   }
   const std::string& input = parsed->inputs[0];
-  const auto bytes = read_input(input, parsed->files.size);
+  const auto bytes = read_input(input, {.size = parsed->files.size});
   if (!bytes) {
     print_error(streams, input, bytes.error());
     return exit_bad_input;

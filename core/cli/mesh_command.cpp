@@ -43,7 +43,8 @@ class Run {
       : files_(files), args_(args), streams_(streams) {}
 
   int operator()() {
-    const auto text = read_input(files_.input, args_.surface_options.size);
+    const SurfaceOptions& asked = args_.surface_options;
+    const auto text = read_input(files_.input, {asked.size, static_cast<double>(asked.quads)});
     if (!text) return fail(text.error(), exit_bad_input);
     const bool is_surface = is_cad_file(files_.input) || is_surface_file(files_.input, *text);
     const bool is_known =

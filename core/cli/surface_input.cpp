@@ -11,11 +11,11 @@
 
 // wasm/js/cli.js hands in a reader of CAD files. First it makes the text and tells its length,
 // below zero for a code and a sentence that say what is wrong; then it copies the text.
-EM_JS(double, lpq_cad_load, (const char* bytes, std::size_t length, const char* name, double size),
-      {
+EM_JS(double, lpq_cad_load,
+      (const char* bytes, std::size_t length, const char* name, double size, double quads), {
         const from = bytes >>> 0;
         return Module["cad"].load(HEAPU8.slice(from, from + (length >>> 0)), UTF8ToString(name),
-                                  size);
+                                  size, quads);
       });
 EM_JS(void, lpq_cad_take, (char* to), { HEAPU8.set(Module["cad"].take(), to >>> 0); });
 #endif
@@ -34,17 +34,18 @@ Error error_from(const std::string& text) {
   return error;
 }
 
-Result<std::string> cad_triangles(const std::string& name, double size) {
+Result<std::string> cad_triangles(const std::string& name, const QuadsAsked& asked) {
   const auto bytes = read_file(name);
   if (!bytes) return bytes.error();
-  const double length = lpq_cad_load(bytes->data(), bytes->size(), name.c_str(), size);
+  const double length =
+      lpq_cad_load(bytes->data(), bytes->size(), name.c_str(), asked.size, asked.quads);
   std::string text(static_cast<std::size_t>(length < 0 ? -length : length), ' ');
   lpq_cad_take(text.data());
   if (length < 0) return error_from(text);
   return text;
 }
 #else
-Result<std::string> cad_triangles(const std::string& name, double) {
+Result<std::string> cad_triangles(const std::string& name, const QuadsAsked&) {
   const auto bytes = read_file(name);
   if (!bytes) return bytes.error();
   const std::string stem = file_stem(name);
@@ -65,8 +66,8 @@ bool is_cad_file(std::string_view name) {
   return false;
 }
 
-Result<std::string> read_input(const std::string& name, double size) {
-  return is_cad_file(name) ? cad_triangles(name, size) : read_file(name);
+Result<std::string> read_input(const std::string& name, const QuadsAsked& asked) {
+  return is_cad_file(name) ? cad_triangles(name, asked) : read_file(name);
 }
 
 }  // namespace lpq

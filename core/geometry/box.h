@@ -38,6 +38,8 @@ inline double longer_side(const Box& box) {
   return std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y);
 }
 
+inline double diagonal(const Box& box) { return length(box.hi - box.lo); }
+
 double squared_distance(const Box& a, const Box& b);
 
 /// In space; at first it contains nothing.

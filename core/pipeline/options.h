@@ -35,6 +35,7 @@ struct ChoiceNames<Seeds> {
 
 struct Options {
   double size = 0;
+  int quads = 0;
   bool keep_boundary = false;
   Elements elements = Elements::quad;
   Method method = Method::best;
@@ -67,6 +68,13 @@ struct UserFields {
   std::vector<Vec2> seeds;            // interior points to start L_p from; others are left out
 };
 
+/// Errors: bad_option where a size and a number of quads are given, which contradict each other.
+template <class O>
+Problem judge_size_options(const O& options) {
+  if (!(options.size > 0 && options.quads > 0)) return std::nullopt;
+  return Error{ErrorCode::bad_option, "Give a size or a number of quads, not both.", {}};
+}
+
 /// How points are placed; of the planar chain, wherever it runs.
 template <class O, class F>
 void each_lp_field(O& o, F&& visit) {
@@ -98,6 +106,10 @@ void each_field(O& o, F&& visit) {
                   "Target edge length; 0 takes the domain's own h (about 1000 quads where it has "
                   "none), or the boundary's spacing when it is kept.",
                   ErrorCode::bad_size});
+  visit("quads", o.quads,
+        FieldInfo{0, 100'000'000, "",
+                  "About how many quads, in place of a size, which is chosen for them; 0 = not "
+                  "asked."});
   visit("keepBoundary", o.keep_boundary,
         FieldInfo{0, 1, "", "The given points are the boundary mesh and come back bit for bit."});
   visit("elements", o.elements,

@@ -7,6 +7,7 @@
 
 #include "base/share_out.h"
 #include "base/words.h"
+#include "field/size_for_count.h"
 #include "numerics/elementary.h"
 #include "pipeline/shape_options.h"
 #include "pipeline/stage_timer.h"
@@ -35,6 +36,7 @@ class SurfaceMesher::Run {
 
   std::optional<Error> start(SurfaceSoup soup) {
     if (Problem range = check_ranges(options_)) return range;
+    if (Problem both = judge_size_options(options_)) return both;
     return repair(std::move(soup));
   }
 
@@ -115,42 +117,70 @@ class SurfaceMesher::Run {
   std::optional<Error> find_lines() {
     const StageTimer timer = timed("features");
     double& h = outcome_.report.target_size;
-    double area = 0;
-    for (const auto& [a, b, c] : surface().triangles)
-      area += 0.5 * length(cross(surface().points[b] - surface().points[a],
-                                 surface().points[c] - surface().points[a]));
-    h = options_.size > 0 ? options_.size : default_size(area);
-    if (const double across = bounding_diagonal(surface().points); h > across)
+    h = options_.size > 0 ? options_.size : size_by_area();
+    if (const double across = bounding_diagonal(surface().points); options_.size > across)
       outcome_.report.warnings.push_back(
           {ErrorCode::adapted,
            "The mesh size " + short_number(h) + " is larger than the whole surface, which is " +
                short_number(across) + " across; a smaller one was taken. Check the unit of length.",
            {}});
-    const std::vector<double> plain(surface().points.size(), h);
-    features_ = find_features(surface(), plain,
-                              {.angle = options_.feature_angle, .groups = options_.keep_groups});
-    feature_ = features_.half_edges();
-    SurfaceSizeOptions sizes;
-    sizes.size = h;
-    sizes.at_vertices = asked_;
-    sizes.largest_turn = options_.turn * pi / 180;
-    sizes.growth = growth_of(options_);
-    auto size = surface_sizes(surface(), feature_, sizes);
-    if (!size) return size.error();
-    size_ = std::move(*size);
+    if (auto failure = lines_and_sizes(h)) return failure;
+    if (options_.quads > 0)
+      if (auto failure = size_by_count(h)) return failure;
     const double quads = surface_capacity(surface(), size_);
     if (quads > options_.max_elements) return too_many_elements(quads, options_.max_elements);
     return std::nullopt;
   }
 
+  std::optional<Error> lines_and_sizes(double h) {
+    const std::vector<double> plain(surface().points.size(), h);
+    features_ = find_features(surface(), plain,
+                              {.angle = options_.feature_angle, .groups = options_.keep_groups});
+    feature_ = features_.half_edges();
+    auto size = sizes_for(h);
+    if (!size) return size.error();
+    size_ = std::move(*size);
+    return std::nullopt;
+  }
+
+  Result<std::vector<double>> sizes_for(double h) const {
+    SurfaceSizeOptions sizes;
+    sizes.size = h;
+    sizes.at_vertices = asked_;
+    sizes.largest_turn = options_.turn * pi / 180;
+    sizes.growth = growth_of(options_);
+    return surface_sizes(surface(), feature_, sizes);
+  }
+
+  /// The features are those of the size that the search begins with; then those of what it finds.
+  std::optional<Error> size_by_count(double& h) {
+    const auto quads_of = [&](double size) -> Result<double> {
+      const auto sizes = sizes_for(size);
+      if (!sizes) return sizes.error();
+      return surface_capacity(surface(), *sizes);
+    };
+    const auto found =
+        size_for_count(h, bounding_diagonal(surface().points), options_.quads, quads_of);
+    if (!found) return found.error();
+    if (Problem poor = judge_count(*found, options_.quads))
+      outcome_.report.warnings.push_back(std::move(*poor));
+    if (found->size == h) return std::nullopt;
+    h = found->size;
+    return lines_and_sizes(h);
+  }
+
   /// Of needles the border asks for more than the area.
-  double default_size(double area) const {
-    double border = 0;
+  double size_by_area() const {
+    const double quads = options_.quads > 0 ? options_.quads : default_quads;
+    double area = 0, border = 0;
+    for (const auto& [a, b, c] : surface().triangles)
+      area += 0.5 * length(cross(surface().points[b] - surface().points[a],
+                                 surface().points[c] - surface().points[a]));
     for (Index e = 0; e < 3 * surface().triangle_count(); ++e)
       if (surface().twins[e] == none)
         border +=
             distance(surface().points[surface().origin(e)], surface().points[surface().target(e)]);
-    return std::max(std::sqrt(area / default_quads), border / (2 * default_quads));
+    return std::max(std::sqrt(area / quads), border / (2 * quads));
   }
 
   std::optional<Error> make_field() {

@@ -7,6 +7,7 @@ namespace lpq {
 
 struct SurfaceOptions {
   double size = 0;
+  int quads = 0;
   double feature_angle = 40;
   bool keep_groups = true;
   double turn = 0;
@@ -30,6 +31,10 @@ void each_field(O& o, F&& visit) {
   visit("size", o.size,
         FieldInfo{0, 1e300, "length", "Target edge length; 0 gives about 3000 quads.",
                   ErrorCode::bad_size});
+  visit("quads", o.quads,
+        FieldInfo{0, 100'000'000, "",
+                  "About how many quads, in place of a size, which is chosen for them; 0 = not "
+                  "asked."});
   visit("featureAngle", o.feature_angle,
         FieldInfo{0, 180, "degrees", "Edges that bend by more are kept as edges of the mesh."});
   visit("keepGroups", o.keep_groups,

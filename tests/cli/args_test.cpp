@@ -60,6 +60,14 @@ TEST_CASE("a wrong value says what was expected") {
   CHECK(message({"--report", ""}) == "Option --report must be a file name, not ''.");
 }
 
+TEST_CASE("a size and a number of quads contradict each other before anything is read") {
+  CHECK(message({"part.stl", "--size", "1", "--quads=500"}).find("not both") != std::string::npos);
+  const auto args = parse({"part.stl", "--quads=500"});
+  REQUIRE(args.has_value());
+  CHECK(args->options.quads == 500);
+  CHECK(args->surface_options.quads == 500);
+}
+
 TEST_CASE("every option of the tables is in the help and can be given") {
   const std::string help = mesh_help();
   const Options options;

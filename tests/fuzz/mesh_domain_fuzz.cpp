@@ -1,5 +1,6 @@
 // Domains from bytes, through the whole chain: it answers with an error or with a mesh that passed
-// the final check. Byte 0: options; byte 1: points per loop; then two bytes per point.
+// the final check. Byte 0: options; byte 1: points per loop, and whether the size is given by a
+// number of quads; then two bytes per point.
 #include <cstdio>
 #include <cstdlib>
 
@@ -29,6 +30,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size < 8) return 0;
   lpq::Options options;
   options.size = 20 + data[0] % 32;  // of 255: a hundred quads or so, many runs a second
+  if ((data[1] & 128) != 0) {
+    options.quads = 1 + 4 * (data[0] % 32);
+    options.size = 0;
+  }
   options.keep_boundary = (data[0] & 32) != 0;
   options.method = (data[0] & 64) != 0 ? lpq::Method::paper : lpq::Method::best;
   options.elements = (data[0] & 128) != 0 ? lpq::Elements::quad_dominant : lpq::Elements::quad;

@@ -1,4 +1,5 @@
-// Sizes at points, seen in the mesh: met where they are asked, and told where they are not.
+// Sizes at points, seen in the mesh: met where they are asked, and told where they are not; numbers
+// of quads.
 #include <cmath>
 
 #include "catch.h"
@@ -94,4 +95,29 @@ TEST_CASE("beside a kept boundary its spacing says whether a size outside matter
   const auto told = meshed(input, {.keep_boundary = true, .growth = 0.08}).report.warnings;
   REQUIRE(count_ignored(told) == 1);
   CHECK(told.front().where.x == 9);
+}
+
+TEST_CASE("about as many quads come as are asked for") {
+  const DomainInput plain = sized(square(1), 0.5, {});
+  const DomainInput painted = sized(square(1), 0.5, {{{0.3, 0.4}, 0.01}});
+  DomainInput kept = sized(sampled_polygon(square(1), 1.0 / 64), 0, {});
+  const auto quads_of = [](const DomainInput& input, const Options& options) {
+    return static_cast<double>(meshed(input, options).report.quality.quads);
+  };
+  for (const int quads : {100, 700, 3000})
+    CHECK(quads_of(plain, {.quads = quads}) == Approx(double(quads)).epsilon(0.1));
+  for (const double growth : {0.0, 0.3})
+    CHECK(quads_of(painted, {.quads = 3000, .growth = growth}) == Approx(3000.0).epsilon(0.1));
+  CHECK(quads_of(kept, {.quads = 2500, .keep_boundary = true}) == Approx(2500.0).epsilon(0.1));
+}
+
+TEST_CASE("numbers of quads that cannot be had are told") {
+  const DomainInput fine = sized(sampled_polygon(square(1), 0.005), 0, {});
+  const auto told = meshed(fine, {.quads = 50, .keep_boundary = true}).report.warnings;
+  REQUIRE(told.size() == 1);
+  CHECK(told.front().code == ErrorCode::adapted);
+  CHECK(told.front().message.find("quads instead of 50") != std::string::npos);
+  const auto both = mesh_domain(fine, {.size = 0.1, .quads = 50});
+  REQUIRE_FALSE(both);
+  CHECK(both.error().code == ErrorCode::bad_option);
 }

@@ -61,6 +61,21 @@ TEST_CASE("a box keeps its edges and gets nothing but squares") {
   }
 }
 
+TEST_CASE("a surface gets about as many quads as are asked for") {
+  const SurfaceMesh ring = torus(60, 30, 1, 0.4);
+  for (const int quads : {300, 2000}) {
+    const ShellOutcome outcome = meshed(soup_of(ring), {.quads = quads});
+    CHECK(outcome.report.quality.quads == Approx(quads).epsilon(0.1));
+    CHECK(outcome.report.warnings.empty());
+  }
+  const ShellOutcome bent = meshed(soup_of(ring), {.quads = 300, .turn = 12});
+  REQUIRE(bent.report.warnings.size() == 1);  // no quad may be so large
+  CHECK(bent.report.warnings.front().message.find("instead of 300") != std::string::npos);
+  const auto both = mesh_surface(box_soup({1, 2, 1}, 3), {.size = 0.1, .quads = 50});
+  REQUIRE_FALSE(both);
+  CHECK(both.error().code == ErrorCode::bad_option);
+}
+
 TEST_CASE("an open pipe is one chart, and its seam vanishes") {
   const ShellOutcome outcome = meshed(soup_of(cylinder(48, 60, 0.5, 5)), {.size = 0.1});
   CHECK(outcome.report.quality.eta_mean > 0.99);

@@ -107,7 +107,14 @@ test('the size says how fine the triangles are', async () => {
   await readCad(new ArrayBuffer(3), { name: 'x.stp', unit: 'inch', occt: Promise.resolve({ default: async () => occt }) });
   assert.equal(calls.at(-1).bytes.length, 3);
   assert.equal(calls.at(-1).params.linearUnit, 'inch');
-  assert.equal(calls.pop().params.linearDeflectionType, 'bounding_box_ratio');
+  const usual = calls.pop().params;
+  assert.equal(usual.linearDeflectionType, 'bounding_box_ratio');
+  const ratioFor = async (quads) => {
+    await readCad('', { format: 'brep', quads, occt });
+    return calls.pop().params.linearDeflection / usual.linearDeflection;
+  };
+  assert.equal(await ratioFor(100), 1);
+  assert.ok(Math.abs(await ratioFor(300000) - 0.1) < 1e-12);
   await readCad('', { format: 'brep', size: 2, linearDeflection: 0.5, angularDeflection: 0.1, occt });
   assert.equal(calls[0].params.linearDeflection, 0.5);
   assert.equal(calls.pop().params.angularDeflection, 0.1);

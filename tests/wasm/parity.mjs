@@ -1,6 +1,6 @@
 // The same bytes everywhere: meshes of domains and surfaces, and their reports, from native g++ and clang, from the command line in
 // Node, from the library in Node (SIMD and plain) and in Chromium, compared by SHA-256.
-// usage: node tests/wasm/parity.mjs [shared folder [domain|paper|restarts|surface|polygon]]; ends with "N passed, N failed".
+// usage: node tests/wasm/parity.mjs [shared folder [domain|paper|count|restarts|surface|polygon]]; ends with "N passed, N failed".
 // Needs the presets release and clang (target lpquad_command) and dist/.
 import { spawn } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
@@ -99,6 +99,7 @@ async function makeCases() {
   for (const file of jsonFiles('domains')) add(file, 'domain', { keepBoundary: true });
   for (const name of ['platehole', 'lshape', 'hood'])
     add(join(shared, `domains/${name}.json`), 'paper', { keepBoundary: true, method: 'paper' });
+  for (const name of ['hood', 'gear']) add(join(shared, `domains/${name}.json`), 'count', { quads: 3000 });
   for (const name of ['disc', 'airfoil'])
     add(join(shared, `domains/${name}.json`), 'restarts', { keepBoundary: true, seeds: 'isotropic' });
   for (const file of surfaces) {

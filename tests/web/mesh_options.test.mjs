@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { createLpquad } from '../../dist/node.js';
-import { mainOptions, nameOfOption, numberOf, placeOf, problemWith, rangeInWords, sizeAt, sizeRange, valueOf, withOption } from '../../web/mesh/options.js';
+import { mainOptions, nameOfOption, numberOf, placeOf, problemWith, rangeInWords, sizeAt, sizeRange, valueOf, withOption, withSize } from '../../web/mesh/options.js';
 import { unitBall } from '../../web/mesh/unit_ball.js';
 import { areaOf, coarse } from '../../web/run/preview.js';
 import { presets } from '../../web/sketch/presets.js';
@@ -34,6 +34,13 @@ test('only what differs from the defaults is kept', () => {
   assert.equal(valueOf({}, norm), norm.default);
 });
 
+test('a size and a number of quads stand in for each other', () => {
+  assert.deepEqual(withOption({ size: 1, norm: 8 }, info('quads'), 500), { norm: 8, quads: 500 });
+  assert.deepEqual(withOption({ quads: 500 }, info('size'), 0.1), { size: 0.1 });
+  assert.deepEqual(withOption({ size: 1 }, info('quads'), 0), { size: 1 });
+  assert.deepEqual(withSize({ quads: 500, norm: 8 }, 0.1), { norm: 8, size: 0.1 });
+});
+
 test('the size slider goes evenly by ratio over a range that fits the drawing', () => {
   const range = sizeRange(presets[0].project.drawing);
   for (const place of [0, 0.25, 0.5, 1]) assert.ok(Math.abs(placeOf(range, sizeAt(range, place)) - place) < 0.01);
@@ -57,6 +64,9 @@ test('a preview asks for some hundred quads, unless less is wanted', () => {
   const { options } = coarse(plate.project);
   assert.ok(area / options.size ** 2 >= 300 && area / options.size ** 2 <= 500);
   assert.equal(coarse({ ...plate.project, options: { size: 0.5 } }).options.size, 0.5);
+  const few = coarse({ ...plate.project, options: { quads: 20 } }).options;
+  assert.ok(Math.abs(area / few.size ** 2 - 20) < 0.1);
+  assert.equal(few.quads, undefined);
   const painted = coarse({ ...plate.project, options: {}, sizes: [[0, 0, 0.01], [1, 1, 0.1]] });
   assert.ok(painted.sizes[0][2] >= options.size * 0.99);
   assert.equal(painted.sizes[1][2] / painted.sizes[0][2], 10);

@@ -41,6 +41,19 @@ test('a drag of the size slider is one change, previewed, and meshed at the end'
   await meshed();
 });
 
+test('a number of quads takes the place of the size', async () => {
+  await field('Number of quads').getByRole('textbox').fill('700');
+  await page.keyboard.press('Enter');
+  assert.equal('size' in await options(), false);
+  assert.equal(await field('Size of the quads').getByRole('textbox').inputValue(), 'automatic');
+  await meshed();
+  const { quads } = await page.evaluate(() => globalThis.playground.runner.run.result.report);
+  assert.ok(Math.abs(quads - 700) < 100, `${quads} quads`);
+  await undo();
+  assert.equal((await options()).quads, undefined);
+  await meshed();
+});
+
 test('p is chosen by its ball, or typed', async () => {
   await field('Exponent p').getByRole('radio', { name: '4' }).check();
   assert.equal((await options()).norm, 4);

@@ -15,9 +15,11 @@ export interface CadOptions {
   format?: CadFormat;
   /** Side of the quads that the surface is for: the triangles become fine enough for it. */
   size?: number;
+  /** How many quads the surface is for, where no size is given. */
+  quads?: number;
   /** Lengths of the result for STEP and IGES; BREP files have no unit. @default 'millimeter' */
   unit?: 'millimeter' | 'centimeter' | 'meter' | 'inch' | 'foot';
-  /** Largest distance of a chord from the shape, as a length. @default size / 200, or 0.0002 of the box's mean side without a size */
+  /** Largest distance of a chord from the shape, as a length. @default size / 200, or 0.0002 of the box's mean side without a size, less for more than 3000 quads */
   linearDeflection?: number;
   /** Largest turn over a chord, in radians. @default 0.2 */
   angularDeflection?: number;

@@ -37,13 +37,14 @@ async function instanceOf(occt) {
 // (31 to a circle): the triangles then bend less than the quads will.
 const chordsPerSize = 200;
 const ratioWithoutSize = 0.0002;  // of the mean of the box's sides, of which a quad has some hundredths
+const quadsWithoutSize = 3000;    // that it is for, at least
 const angle = 0.2;
 
-const deflection = ({ size, linearDeflection, angularDeflection }) => {
+const deflection = ({ size, quads = 0, linearDeflection, angularDeflection }) => {
   const absolute = linearDeflection ?? (size > 0 ? size / chordsPerSize : undefined);
   return {
     linearDeflectionType: absolute === undefined ? 'bounding_box_ratio' : 'absolute_value',
-    linearDeflection: absolute ?? ratioWithoutSize,
+    linearDeflection: absolute ?? ratioWithoutSize * Math.min(1, Math.sqrt(quadsWithoutSize / quads)),
     angularDeflection: angularDeflection ?? angle,
   };
 };

@@ -29,10 +29,10 @@ function cadReader(occt) {
   let text;
   const answer = (string) => (text = new TextEncoder().encode(string)).length;
   return {
-    load(bytes, name, size) {
+    load(bytes, name, size, quads) {
       if (occt === undefined) return -answer(`IO_ERROR ${occtMissing}`);
       try {
-        return answer(surfaceAsObj(readCadWith(occt, bytes, { name, size })));
+        return answer(surfaceAsObj(readCadWith(occt, bytes, { name, size, quads })));
       } catch (error) {
         return -answer(`${error.code} ${error.message}`);
       }

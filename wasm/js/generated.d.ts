@@ -9,6 +9,13 @@ export interface MeshOptions {
    */
   size?: number;
   /**
+   * About how many quads, in place of a size, which is chosen for them; 0 = not asked.
+   * A whole number.
+   * Range: 0 to 100000000.
+   * @default 0
+   */
+  quads?: number;
+  /**
    * The given points are the boundary mesh and come back bit for bit.
    * @default false
    */
@@ -113,6 +120,13 @@ export interface SurfaceOptions {
    * @default 0
    */
   size?: number;
+  /**
+   * About how many quads, in place of a size, which is chosen for them; 0 = not asked.
+   * A whole number.
+   * Range: 0 to 100000000.
+   * @default 0
+   */
+  quads?: number;
   /**
    * Edges that bend by more are kept as edges of the mesh.
    * Unit: degrees.

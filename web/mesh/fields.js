@@ -27,7 +27,7 @@ export function frame(info, give, /** @type {Node[]} */ ...controls) {
 
 /** @param {OptionInfo} info */
 function inDefault({ name, default: usual }) {
-  return usual === -1 || (name === 'size' && usual === 0) ? 'automatic' : String(usual);
+  return usual === -1 || (['size', 'quads'].includes(name) && usual === 0) ? 'automatic' : String(usual);
 }
 
 /** @param {OptionInfo} info  @param {Give} give @returns {Field} */

@@ -7,7 +7,7 @@ import { boundsOf } from '../draw/view.js';
 
 /** @type {Record<string, string>} */
 const names = {
-  size: 'Size of the quads', norm: 'Exponent p', iterations: 'Iterations', restarts: 'Restarts', seeds: 'First points', seed: 'Random seed',
+  size: 'Size of the quads', quads: 'Number of quads', norm: 'Exponent p', iterations: 'Iterations', restarts: 'Restarts', seeds: 'First points', seed: 'Random seed',
   smoothing: 'Smoothing', method: 'Method', effort: 'Effort', keepBoundary: 'Keep the boundary', elements: 'Elements',
   growth: 'Growth of sizes', simplify: 'Simplify the outline', allowAddedPoint: 'Allow one added point',
   strict: 'Strict about repeated points', sizeWeight: 'Weight of sizes', maxElements: 'Most elements',
@@ -15,7 +15,7 @@ const names = {
 
 /** Shown first, in this order. */
 export const mainOptions = [
-  'size', 'norm', 'iterations', 'seeds', 'seed', 'method', 'effort', 'smoothing', 'keepBoundary', 'elements',
+  'size', 'quads', 'norm', 'iterations', 'seeds', 'seed', 'method', 'effort', 'smoothing', 'keepBoundary', 'elements',
 ];
 
 /** @param {string} name  also of an option that is newer than this list */
@@ -25,14 +25,21 @@ export const nameOfOption = (name) => names[name]
 /** @param {MeshOptions} options  @param {OptionInfo} info  @returns {Value} */
 export const valueOf = (options, info) => /** @type {Record<string, Value>} */ (options)[info.name] ?? info.default;
 
+/** One of these says how fine the mesh is. @type {Record<string, string>} */
+const inPlaceOf = { size: 'quads', quads: 'size' };
+
 /** The options with one of them changed; what is as usual is not kept.
  * @param {MeshOptions} options  @param {OptionInfo} info  @param {Value} value  @returns {MeshOptions} */
 export function withOption(options, info, value) {
   const changed = /** @type {Record<string, Value>} */ ({ ...options });
   if (value === info.default) delete changed[info.name];
   else changed[info.name] = value;
+  if (value !== info.default && Object.hasOwn(inPlaceOf, info.name)) delete changed[inPlaceOf[info.name]];
   return /** @type {MeshOptions} */ (changed);
 }
+
+/** With this size, in place of what said so before. @param {MeshOptions} options  @param {number} size  @returns {MeshOptions} */
+export const withSize = ({ quads, ...options }, size) => ({ ...options, size });
 
 /** What is wrong with a text as the value of an option, in words; '' is nothing.
  * @param {OptionInfo} info  @param {string} text */

@@ -2,6 +2,7 @@
 // time, while the run of the real thing waits.
 /** @import { LpquadWorker } from 'lpquad/worker' */
 /** @import { Drawing, Point, Project, Snapshot } from '../types' */
+import { withSize } from '../mesh/options.js';
 import { toCall } from '../state/project.js';
 
 const expected = 400;  // quads: enough to see the flow, few enough to follow a hand
@@ -30,15 +31,20 @@ export function areaOf({ regions }) {
 /** @type {Project['options']} */
 const quick = { method: 'best', effort: 'normal', iterations: 0, smoothing: 0, maxElements: 50000 };
 
+/** The size of the quads, also of a number of them; 0: automatic. @param {Project} project */
+export function askedSize({ drawing, options: { size = 0, quads = 0 } }) {
+  return quads > 0 ? Math.sqrt(areaOf(drawing) / quads) : size;
+}
+
 /** The same project, for about 400 quads and without what takes long. @param {Project} project @returns {Project} */
 export function coarse(project) {
-  const { size: asked = 0 } = project.options;
+  const asked = askedSize(project);
   const size = Math.max(asked, Math.sqrt(areaOf(project.drawing) / expected));
   const finest = Math.min(...project.sizes.map(([, , h]) => h), asked || Infinity);
   const factor = Math.max(1, size / finest);
   return {
     ...project,
-    options: { ...project.options, size, ...quick },
+    options: { ...withSize(project.options, size), ...quick },
     sizes: project.sizes.map(([x, y, h]) => [x, y, h * factor]),
   };
 }

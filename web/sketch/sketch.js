@@ -4,6 +4,7 @@
 /** @import { Drawing, Point, Project } from '../types' */
 /** @import { Place } from './model/drawing.js' */
 /** @import { Snapped, Snapping } from './model/snap.js' */
+import { askedSize } from '../run/preview.js';
 import { findMeetings, problemsOf } from './crossings.js';
 import { diagonalOf, pathOf, pathsOf, regionAt, vertexAt } from './model/drawing.js';
 import { snap } from './model/snap.js';
@@ -75,7 +76,7 @@ export class Sketch {
   /** The brush as it is now. */
   get brushNow() {
     const { radius, size } = this.brush;
-    const diagonal = diagonalOf(this.drawing), target = this.store.project.options.size || diagonal / 40;
+    const diagonal = diagonalOf(this.drawing), target = askedSize(this.store.project) || diagonal / 40;
     return { radius: radius || 0.08 * diagonal, size: size || target / 3 };
   }
 

@@ -4,7 +4,7 @@
 
 /** Choices, a yes or no, or the range of a number. @type {Record<string, string[] | 'boolean' | [number, number] | ['integer', number, number]>} */
 export const knownOptions = {
-  size: [0, 1e300], keepBoundary: 'boolean', elements: ['quad', 'one-triangle', 'quad-dominant'], method: ['best', 'paper'],
+  size: [0, 1e300], quads: ['integer', 0, 100000000], keepBoundary: 'boolean', elements: ['quad', 'one-triangle', 'quad-dominant'], method: ['best', 'paper'],
   effort: ['normal', 'high'], seeds: ['automatic', 'aligned', 'isotropic'], norm: [2, 20],
   iterations: ['integer', -1, 100000], restarts: ['integer', -1, 1000], seed: ['integer', 0, 9007199254740991], growth: [0, 10], simplify: [0, 1e300],
   allowAddedPoint: 'boolean', strict: 'boolean', sizeWeight: [0, 10], smoothing: ['integer', -1, 10000],

@@ -62,7 +62,7 @@ void SvgReader::flatten() {
       closed = true;  // as filling does (SVG 1.1, 11.3)
       if (!(points.front() == points.back())) ++closed_by_fill_;
     }
-    if (closed) drop_rounded_end(length(box.hi - box.lo), tolerance, points);
+    if (closed) drop_rounded_end(diagonal(box), tolerance, points);
     drawing_.lines.add(points, closed, outline.source);
     outline.path.curve = CurvePath();
   }

@@ -2,6 +2,8 @@
 /** @import { Drawing, Point, Project, Run } from '../../types' */
 /** @import { Place } from '../model/drawing.js' */
 /** @typedef {NonNullable<Run['error']>} Problem */
+import { withSize } from '../../mesh/options.js';
+import { askedSize } from '../../run/preview.js';
 import { findMeetings } from '../crossings.js';
 import { emptyDrawing } from '../../state/project.js';
 import * as model from '../model/drawing.js';
@@ -151,13 +153,13 @@ const withoutBadNumbers = (project) => ({
 export const fittingSize = (drawing) => Number((model.diagonalOf(drawing) / 40).toPrecision(2));
 
 /** @param {Project} project  @param {number} factor */
-const sizeTimes = ({ drawing, options }, factor) =>
-  Number(((options.size || Math.sqrt(model.areaOf(drawing) / 1000) || fittingSize(drawing)) * factor).toPrecision(3));
+const sizeTimes = (project, factor) =>
+  Number(((askedSize(project) || Math.sqrt(model.areaOf(project.drawing) / 1000) || fittingSize(project.drawing)) * factor).toPrecision(3));
 
 /** Few enough elements for a browser, and painted sizes not far below. @param {Project} project  @returns {Partial<Project>} */
 function larger(project) {
   const size = Math.max(sizeTimes(project, 2), Number(Math.sqrt(model.areaOf(project.drawing) / 5000).toPrecision(2)));
-  return { options: { ...project.options, size }, sizes: project.sizes.map(([x, y, h]) => [x, y, Math.max(h, size / 4)]) };
+  return { options: withSize(project.options, size), sizes: project.sizes.map(([x, y, h]) => [x, y, Math.max(h, size / 4)]) };
 }
 
 /** Moved to the origin, without digits that mean nothing. @param {Project} project  @returns {Partial<Project>} */
@@ -217,14 +219,14 @@ const fixes = {
   NESTED_OR_DUPLICATE_HOLE: (problem) => [redraw('Make it a region of its own', separate(problem)), redraw('Remove it', removeNamed(problem))],
   REGION_CONFLICT: (problem) => [redraw('Cut a hole for the inner one', cutHoles), redraw('Remove one of them', removeConflicting(problem)), undo],
   BAD_SIZE: () => [{ label: 'Use a size that fits', change: ({ drawing, options, sizes }) =>
-    ({ options: { ...options, size: fittingSize(drawing) }, sizes: sizes.filter(([, , h]) => h > 0) }) }],
+    ({ options: withSize(options, fittingSize(drawing)), sizes: sizes.filter(([, , h]) => h > 0) }) }],
   ODD_BOUNDARY: (problem) => [redraw('Add a node here', (_, project) => splitLongest(problem, project)),
     choose('Allow one added point', () => ({ allowAddedPoint: true })), choose('Allow one triangle', () => ({ elements: 'one-triangle' }))],
   TOO_NARROW: (problem) => [redraw('Remove this vertex', removeBest(problem)), redraw('Simplify the outline', simpler), undo],
   LOST_PRECISION: () => [{ label: 'Move it to the origin', change: toOrigin }, { label: 'Use a larger size', change: larger }],
   TOO_MANY_ELEMENTS: () => [{ label: 'Use a larger size', change: larger }],
   TOO_LARGE: () => [redraw('Simplify the outline', simpler), open],
-  NO_VALID_MESH: () => [choose('Use a smaller size', (project) => ({ size: sizeTimes(project, 0.7) })),
+  NO_VALID_MESH: () => [{ label: 'Use a smaller size', change: (project) => ({ options: withSize(project.options, sizeTimes(project, 0.7)) }) },
     choose('Allow triangles', () => ({ elements: 'quad-dominant' })), choose('Let the boundary be divided', () => ({ keepBoundary: false }))],
   OUT_OF_MEMORY: () => [{ label: 'Use a larger size', change: larger }, again],
   CANCELLED: () => [again],

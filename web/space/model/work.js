@@ -66,6 +66,9 @@ export function boxOf(points) {
 /** A size that gives about so many quads, in three digits. @param {Surface} surface  @param {number} quads */
 export const sizeFor = (surface, quads) => Number(Math.sqrt(areaOf(surface) / quads).toPrecision(3));
 
+/** The size of the quads, also of a number of them. @param {Pick<Work, 'surface' | 'options'>} work */
+export const askedSize = ({ surface, options: { size, quads } }) => size || sizeFor(surface, quads || 3000);
+
 /** @param {string} name  @param {Surface} surface  @param {number} [quads]  @returns {Pick<Work, 'name' | 'surface' | 'options' | 'preset'>} */
 export const workOf = (name, surface, quads = 3000) => ({ name, surface, options: { size: sizeFor(surface, quads) }, preset: undefined });
 

@@ -5,7 +5,7 @@ import { createSizeField } from '../../mesh/size_field.js';
 import { once } from '../../draw/once.js';
 import { areaOf, boxOf } from '../model/work.js';
 
-const main = ['size', 'featureAngle', 'turn', 'growth', 'effort'];
+const main = ['size', 'quads', 'featureAngle', 'turn', 'growth', 'effort'];
 
 /** @param {SpaceApp} app */
 export function installMeshTab(app) {

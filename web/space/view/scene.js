@@ -2,7 +2,7 @@
 /** @import { SpaceApp, SpaceLayer, SurfaceRun, Work } from '../types' */
 /** @import { Palette } from '../../types' */
 import { dark, light } from '../../draw/palette.js';
-import { boxOf } from '../model/work.js';
+import { askedSize, boxOf } from '../model/work.js';
 import { cellObject, crossObject, cutObject, featureObject, irregularObject, pointedObject, quadObject, surfaceObject, targetObject } from './objects.js';
 
 /**
@@ -49,7 +49,7 @@ function partsOf(app, { frame, work }) {
     ...below(app, on, surface, { cells, charts, quads }, palette),
     features: part([on.has('features'), surface, features, palette], () => (features ? featureObject(surface, features, palette) : null)),
     crosses: part([on.has('crosses'), crosses, palette],
-      () => (crosses ? crossObject(surface, crosses, Number(app.store.project.options.size) || 1, palette) : null)),
+      () => (crosses ? crossObject(surface, crosses, askedSize(app.store.project), palette) : null)),
     valence: part([on.has('valence'), quads, palette], () => (quads ? irregularObject(quads, palette) : null)),
   };
 }
