@@ -100,7 +100,7 @@ TEST_CASE("beside a kept boundary its spacing says whether a size outside matter
 TEST_CASE("about as many quads come as are asked for") {
   const DomainInput plain = sized(square(1), 0.5, {});
   const DomainInput painted = sized(square(1), 0.5, {{{0.3, 0.4}, 0.01}});
-  DomainInput kept = sized(sampled_polygon(square(1), 1.0 / 64), 0, {});
+  const DomainInput kept = sized(sampled_polygon(square(1), 1.0 / 64), 0, {});
   const auto quads_of = [](const DomainInput& input, const Options& options) {
     return static_cast<double>(meshed(input, options).report.quality.quads);
   };
