@@ -27,7 +27,7 @@ class Idle {
 
 /// Those of the planar chain, wherever it runs. `traced`: the L_p energy is written at any rate.
 void add_of_chain(const Options& options, bool seeds_given, bool traced, Idle& idle) {
-  const std::vector<Attempt> attempts = plan_attempts(options, seeds_given);
+  const std::vector<Attempt> attempts = plan_attempts(options, {.seeds_given = seeds_given});
   const bool optimises =
       attempts[0].iterations > 0 || (attempts[1].alternative && attempts[1].iterations > 0);
   const char* why = "no iterations of L_p are asked for. Give --iterations, or --seeds isotropic.";

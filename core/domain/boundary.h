@@ -24,6 +24,15 @@ struct BoundaryOptions {
   bool allow_added_point = false;  // kept mode: cure an odd part with one midpoint
   Index max_nodes = 5'000'000;     // refined mode refuses more before allocating them
   std::vector<SizeSample> sizes = {};  // edges near them are no longer than that (refined mode)
+  std::vector<Index> pieces = {};      // #S  refined mode: how many, in place of what sizes ask for
+};
+
+/// How a refined boundary's segments, those left after simplification, were divided; empty where
+/// the boundary was kept. Edges of one segment follow each other, in the order of segments.
+struct SegmentPieces {
+  std::vector<double> wanted;  // #S  the integral of 1/spacing
+  std::vector<Index> count;    // #S
+  std::vector<char> is_whole;  // #S  cannot be divided
 };
 
 struct BoundaryMesh {
@@ -34,7 +43,8 @@ struct BoundaryMesh {
   std::vector<double> spacing;  // #B  mean length of the edges at the node (target h there)
   std::vector<Index> output_rank;  // #B  permutation: number of this node in the output mesh
   double simplify_deviation = 0;   // unit frame
-  std::vector<Warning> warnings;   // beside the domain's; one for each point by allow_added_point
+  SegmentPieces pieces;
+  std::vector<Warning> warnings;  // beside the domain's; one for each point by allow_added_point
 };
 
 /// Kept mode returns the domain's points as they are; refined mode divides long edges evenly with

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/check.h"
 #include "domain/conflicts.h"
 #include "domain/division.h"
 #include "domain/parts.h"
@@ -175,11 +176,14 @@ bool Refinement::place(Index segment, Index pieces, const BoundarySpacing& spaci
 /// As many as their ideal says, and an even number around every part.
 Result<std::vector<Index>> Refinement::choose_pieces() const {
   const std::size_t count = segments_.size();
+  LPQ_ASSERT(options_.pieces.empty() || options_.pieces.size() == count);
   std::vector<Index> pieces(count, 1);
   std::vector<double> preference(count, -1.0);
   for (std::size_t i = 0; i < count; ++i) {
     if (whole_[i]) continue;
-    pieces[i] = static_cast<Index>(std::max(1.0, std::floor(ideal_[i] + 0.5)));
+    pieces[i] = options_.pieces.empty()
+                    ? static_cast<Index>(std::max(1.0, std::floor(ideal_[i] + 0.5)))
+                    : options_.pieces[i];
     preference[i] = ideal_[i] / (pieces[i] + 1);
   }
   if (!options_.require_even) return pieces;
@@ -195,7 +199,7 @@ Result<std::vector<Index>> Refinement::choose_pieces() const {
 }
 
 Result<BoundaryMesh> Refinement::divide(const BoundarySpacing& spacing, bool& again) {
-  const Result<std::vector<Index>> pieces = choose_pieces();
+  Result<std::vector<Index>> pieces = choose_pieces();
   if (!pieces) return pieces.error();
   Division division;
   for (Index i = 0; i < static_cast<Index>(segments_.size()); ++i) {
@@ -208,6 +212,7 @@ Result<BoundaryMesh> Refinement::divide(const BoundarySpacing& spacing, bool& ag
   }
   BoundaryMesh mesh = assemble(domain_, segments_, used_, division);
   mesh.simplify_deviation = deviation_;
+  mesh.pieces = {ideal_, std::move(*pieces), whole_};
   if (!again && !division.values.empty()) again = keep_meeting_whole(mesh, division);
   return mesh;
 }

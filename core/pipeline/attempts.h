@@ -1,29 +1,43 @@
 // Which chains of stages a run tries, one after the other.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "pipeline/options.h"
 
 namespace lpq {
 
+/// A plain grid in place of a chain (grids/submapped_grid.h).
+enum class Grid { no, plane, ring };
+
 /// One chain of stages.
 struct Attempt {
   Seeds seeds = Seeds::aligned;
   bool given = false;  // start from the caller's points instead
+  Grid grid = Grid::no;
   int iterations = 0;
   int restarts = 0;  // rounds of exchanging points after these
   double size_factor = 1;
   bool subdivide = false;    // three quads per triangle: always valid, never pretty
   bool cut_darts = false;    // what nothing else made convex: valid, not pretty either
   bool alternative = false;  // run even when the one before passed; the better mesh is kept
+  bool at_once = false;      // in one step: nobody needs to see the same stages again
 };
 
-/// The first is what was asked for, with an alternative at most; the others are tried only when the
-/// final check finds the mesh wanting. `seeds_given`: the caller has points to start from.
-std::vector<Attempt> plan_attempts(const Options& options, bool seeds_given);
+/// What decides on attempts beside the options.
+struct AttemptGrounds {
+  bool seeds_given = false;  // the caller has points to start from
+  // So many are expected. 0: directions or sizes are the caller's, who is to get them as they are.
+  double quads = 0;
+};
+
+/// The first is what was asked for, with alternatives: sizes a little off make other meshes, some
+/// with fewer irregular vertices, and some borders have a plain grid. The others are tried only
+/// when the final check finds the mesh wanting.
+std::vector<Attempt> plan_attempts(const Options& options, const AttemptGrounds& grounds);
 
 /// What the chain starts from, as reports say it.
-const char* start_name(const Attempt& attempt);
+std::string start_name(const Attempt& attempt);
 
 }  // namespace lpq

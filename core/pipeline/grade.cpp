@@ -6,6 +6,7 @@
 
 #include "field/size_for_count.h"
 #include "geometry/box.h"
+#include "grids/balanced_pieces.h"
 #include "pipeline/user_fields.h"
 
 namespace lpq {
@@ -87,11 +88,21 @@ Problem stretch_spacing(const UnitFrame& frame, const UserFields& user, Boundary
   return {};
 }
 
+/// Opposite sides get the same number of nodes: fewer irregular vertices between them, or a grid.
+BoundaryMesh balance(const Domain& domain, BoundaryOptions options, BoundaryMesh boundary) {
+  options.pieces = balanced_pieces(boundary);
+  if (options.pieces.empty()) return boundary;
+  auto balanced = sample_boundary(domain, options);
+  return balanced ? std::move(*balanced) : std::move(boundary);
+}
+
 Result<Graded> grade(const Domain& domain, const Options& options, const UserFields& user,
                      double size, double growth, Index most_nodes = BoundaryOptions{}.max_nodes) {
-  auto boundary =
-      sample_boundary(domain, boundary_options(domain, options, user, size, growth, most_nodes));
+  const BoundaryOptions nodes = boundary_options(domain, options, user, size, growth, most_nodes);
+  auto boundary = sample_boundary(domain, nodes);
   if (!boundary) return boundary.error();
+  if (!options.keep_boundary && options.method == Method::best && !has_function(user))
+    *boundary = balance(domain, nodes, std::move(*boundary));
   if (user.stretch)
     if (Problem problem = stretch_spacing(domain.frame, user, *boundary))
       return std::move(*problem);

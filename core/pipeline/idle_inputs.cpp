@@ -46,12 +46,10 @@ Warning warning_of(std::size_t idle, std::size_t given, const char* what, const 
   return warning;
 }
 
-}  // namespace
-
-std::vector<Warning> idle_sizes(const UserFields& user, const UnitFrame& frame,
-                                const BoundaryMesh& boundary, const FieldOptions& options,
-                                const Fields& fields) {
-  if (user.size || user.sizes.empty()) return {};
+/// Where they are.
+std::vector<Vec2> sizes_without_effect(const UserFields& user, const UnitFrame& frame,
+                                       const BoundaryMesh& boundary, const FieldOptions& options,
+                                       const Fields& fields) {
   const std::vector<SizeCone> cones = size_cones_of(options);
   std::vector<Vec2> idle;
   Index hint = none;
@@ -66,6 +64,16 @@ std::vector<Warning> idle_sizes(const UserFields& user, const UnitFrame& frame,
     if (away > 0 && cone.at(away) >= usual_size(boundary, options, fields, hint))
       idle.push_back(s.position);
   }
+  return idle;
+}
+
+}  // namespace
+
+std::vector<Warning> idle_sizes(const UserFields& user, const UnitFrame& frame,
+                                const BoundaryMesh& boundary, const FieldOptions& options,
+                                const Fields& fields) {
+  if (user.size || user.sizes.empty()) return {};
+  const std::vector<Vec2> idle = sizes_without_effect(user, frame, boundary, options, fields);
   if (idle.empty()) return {};
   return {warning_of(idle.size(), user.sizes.size(), "sizes at points",
                      ", too far away to matter in it", idle.front())};
@@ -81,6 +89,13 @@ std::vector<Warning> idle_guides(const UserFields& user, const FieldOptions& opt
       warning_of(idle.size(), user.guides.size(), "guides", "", user.guides[first].front());
   warning.where.guide = first;
   return {std::move(warning)};
+}
+
+bool fields_are_ours(const UserFields& user, const UnitFrame& frame, const BoundaryMesh& boundary,
+                     const FieldOptions& options, const Fields& fields) {
+  if (has_function(user)) return false;
+  return sizes_without_effect(user, frame, boundary, options, fields).size() == user.sizes.size() &&
+         guides_outside(options.guides, fields.background, fields.h).size() == user.guides.size();
 }
 
 std::vector<Warning> idle_seeds(const UserFields& user, const UnitFrame& frame,

@@ -21,6 +21,10 @@ std::vector<Warning> idle_sizes(const UserFields& user, const UnitFrame& frame,
 std::vector<Warning> idle_guides(const UserFields& user, const FieldOptions& options,
                                  const Fields& fields);
 
+/// Is there nothing of the caller's that decides on sizes or directions?
+bool fields_are_ours(const UserFields& user, const UnitFrame& frame, const BoundaryMesh& boundary,
+                     const FieldOptions& options, const Fields& fields);
+
 /// Start points outside, which are left out.
 std::vector<Warning> idle_seeds(const UserFields& user, const UnitFrame& frame,
                                 const Fields& fields);

@@ -4,7 +4,9 @@
 
 #include "cleanup/cleanup.h"
 #include "cleanup/smooth.h"
+#include "cleanup/untangle.h"
 #include "delaunay/delaunay.h"
+#include "grids/submapped_grid.h"
 #include "lpcvt/seeds.h"
 #include "pipeline/finish.h"
 #include "pipeline/shape_options.h"
@@ -22,10 +24,9 @@ constexpr double fine_rounding = 0.003;  // of the final smoothing, after a bloc
 constexpr double least_gain = 2e-4;      // of mean eta, that another block is worth
 constexpr int seeds_per_step = 50;
 
-// Of two valid meshes the one with fewer triangles, then the better mix of shape and regularity.
-bool better(const QuadQuality& a, const QuadQuality& b) {
-  if (a.triangles != b.triangles) return a.triangles < b.triangles;
-  return a.eta_mean + 0.01 * a.four_valent_percent > b.eta_mean + 0.01 * b.four_valent_percent;
+AttemptGrounds grounds_of(const Preparation& prepared) {
+  return {.seeds_given = !prepared.seeds.empty(),
+          .quads = prepared.own_fields ? cell_capacity(prepared.fields) : 0};
 }
 
 }  // namespace
@@ -39,6 +40,7 @@ const char* stage_name(Stage stage) {
     case Stage::patch: return "patch";
     case Stage::smooth: return "smooth";
     case Stage::check: return "check";
+    case Stage::compare: return "compare";
     case Stage::done: return "done";
   }
   return "";
@@ -64,7 +66,7 @@ Result<Mesher> Mesher::start(const DomainInput& input, const Options& options,
   report.warnings.insert(report.warnings.end(), p.boundary.warnings.begin(),
                          p.boundary.warnings.end());
   mesher.fields_ = {mesher.prepared_, &p.fields};
-  mesher.attempts_ = plan_attempts(options, !p.seeds.empty());
+  mesher.attempts_ = plan_attempts(options, grounds_of(p));
   return mesher;
 }
 
@@ -92,6 +94,7 @@ Result<Stage> Mesher::step(int iterations) {
     case Stage::patch: remesh_patches(); break;
     case Stage::smooth: smooth(); break;
     case Stage::check: return check();
+    case Stage::compare: return compare();
     case Stage::done: break;
   }
   return stage_;
@@ -104,8 +107,12 @@ Result<Stage> Mesher::make_seeds() {
                 ? std::shared_ptr<const Fields>(prepared_, &prepared_->fields)
                 : std::make_shared<const Fields>(
                       with_scaled_size(prepared_->fields, attempt().size_factor));
+  if (attempt().grid != Grid::no) return lay_grid();
   auto chosen = choose_seeds();
-  if (!chosen) return chosen.error();
+  if (!chosen) {
+    if (kept_) return go_on();
+    return chosen.error();
+  }
   seeds_ = std::move(*chosen);
   report_.seeds = static_cast<Index>(seeds_.size());
   report_.expected_seeds = expected_interior_points(nodes, *fields_);
@@ -130,6 +137,25 @@ Result<Stage> Mesher::make_seeds() {
   }
   if (trace_) trace_->start = triangles_;
   return stage_;
+}
+
+// On the nodes of the boundary, after a chain: its triangles say where holes lie.
+Result<Stage> Mesher::lay_grid() {
+  const double wanted = cell_capacity(*fields_);
+  auto grid = attempt().grid == Grid::plane ? submapped_grid(boundary(), triangles_, wanted)
+                                            : ring_grid(boundary(), triangles_, wanted);
+  if (!grid || !invalid_faces(*grid).empty()) return go_on();
+  quads_ = std::move(*grid);
+  if (trace_) trace_->quads.push_back({"grid", quads_});
+  triangles_left_ = 0;
+  annealing_ = false;
+  gave_up_ = true;
+  smoothed_ = 0;
+  report_.chain = start_name(attempt());
+  report_.seeds = report_.extra_edges = 0;
+  report_.expected_seeds = report_.tau = 0;
+  report_.matching_cost = 0;
+  return stage_ = Stage::smooth;
 }
 
 Result<std::vector<Vec2>> Mesher::choose_seeds() const {
@@ -231,15 +257,6 @@ void Mesher::remesh_patches() {
   stage_ = Stage::smooth;
 }
 
-// High effort goes on from the mesh that normal effort ends with, and must end with a better one.
-bool Mesher::begin_annealing() {
-  if (!for_shape() || options_.effort == Effort::normal || annealing_ || gave_up_) return false;
-  annealing_ = true;
-  patches_.emplace(quads_, *fields_, annealing_options(options_));
-  stage_ = Stage::patch;
-  return true;
-}
-
 void Mesher::smooth() {
   const StageTimer timer(report_.times, "smooth");
   const int steps = std::min(smoothing_block, smoothing() - smoothed_);
@@ -252,7 +269,10 @@ void Mesher::smooth() {
   smoothed_ += steps;
   const bool converged =
       smoothed_ > smoothing_block && quad_quality(quads_).eta_mean - before < least_gain;
-  if (smoothed_ < smoothing() && !converged) return;
+  if (smoothed_ < smoothing() && !converged) {
+    if (attempt().alternative && !annealing_ && lags_behind()) go_on();
+    return;
+  }
   if (trace_) trace_->quads.push_back({"smoothed", quads_});
   report_.chain += " + smoothing";
   stage_ = Stage::check;
@@ -260,80 +280,6 @@ void Mesher::smooth() {
 
 OutputMesh Mesher::output_of(const QuadMesh& quads) const {
   return to_output(quads, prepared_->domain, boundary());
-}
-
-Result<Stage> Mesher::check() {
-  const StageTimer timer(report_.times, "check");
-  const BoundaryMesh& nodes = boundary();
-  output_ = to_output(quads_, prepared_->domain,
-                      attempt().subdivide ? halve_edges(nodes, frame()) : nodes);
-  if (const std::vector<Violation> violations = check_output(output_); !violations.empty())
-    return next_attempt(no_valid_mesh(output_, violations));
-
-  report_.quality = quad_quality(quads_);
-  if (const Index surplus = report_.quality.triangles - triangles_allowed(); surplus > 0)
-    return next_attempt({ErrorCode::no_valid_mesh,
-                         std::to_string(surplus) + " triangles could not be paired into quads.",
-                         {}});
-  report_.interior_vertices = static_cast<Index>(output_.points.size()) - output_.fixed;
-  report_.size = size_fidelity(quads_, prepared_->fields);
-  report_.hash = output_hash(output_);
-  Candidate candidate{quads_, output_, report_};
-  for (const Warning& warning : tell_poor_quads(output_))
-    candidate.report.warnings.push_back(warning);
-  if (options_.elements == Elements::one_triangle)
-    for (const Warning& warning : tell_triangles(output_))
-      candidate.report.warnings.push_back(warning);
-  keep_better(std::move(candidate));
-  if (begin_annealing()) return stage_;
-  return go_on();
-}
-
-// To the alternative that is left, or with what was kept.
-Stage Mesher::go_on() {
-  if (attempt_ + 1 == attempts_.size() || !attempts_[attempt_ + 1].alternative) return take_kept();
-  ++attempt_;
-  optimizer_.reset();
-  patches_.reset();
-  return stage_ = Stage::seeds;
-}
-
-Stage Mesher::take_kept() {
-  if (trace_ && output_hash(output_) != kept_->report.hash)
-    trace_->quads.push_back({"kept", kept_->quads});
-  quads_ = kept_->quads;
-  output_ = kept_->output;
-  const auto times = report_.times;
-  report_ = kept_->report;
-  report_.times = times;
-  return stage_ = Stage::done;
-}
-
-// The matching leaves one in every part of odd count; later steps neither need nor make others.
-Index Mesher::triangles_allowed() const {
-  switch (options_.elements) {
-    case Elements::quad: return 0;
-    case Elements::one_triangle: return triangles_left_;
-    case Elements::quad_dominant: break;
-  }
-  return report_.quality.triangles;
-}
-
-void Mesher::keep_better(Candidate candidate) {
-  if (!kept_ || better(candidate.report.quality, kept_->report.quality))
-    kept_ = std::move(candidate);
-}
-
-Result<Stage> Mesher::next_attempt(const Error& failure) {
-  if (kept_) return go_on();  // the annealed mesh failed, or an alternative
-  Warning warning = failure;
-  warning.message = "The chain '" + report_.chain + "' did not pass: " + failure.message;
-  report_.warnings.push_back(warning);
-  if (++attempt_ == attempts_.size()) return failure;
-  ++report_.attempts;
-  optimizer_.reset();
-  patches_.reset();
-  return stage_ = Stage::seeds;
 }
 
 }  // namespace lpq

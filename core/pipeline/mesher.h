@@ -1,5 +1,6 @@
 // The order of the stages, and nothing else: fields, seeds, L_p, matching, clean-up,
-// patches, smoothing, final check; with high effort the last three once more, annealing the mesh.
+// patches, smoothing, final check; other meshes to compare it with; with high effort patches,
+// smoothing and check once more, annealing the best.
 // A Mesher is a copyable value that advances in small steps; a batch run is a loop around it
 // (mesh_domain.h).
 #pragma once
@@ -20,7 +21,7 @@
 
 namespace lpq {
 
-enum class Stage { seeds, optimise, match, clean, patch, smooth, check, done };
+enum class Stage { seeds, optimise, match, clean, patch, smooth, check, compare, done };
 const char* stage_name(Stage stage);
 
 class Mesher {
@@ -31,8 +32,9 @@ class Mesher {
                               const UserFields& user = {});
 
   /// Advances by one stage, or inside the long ones by a bounded piece of work: `iterations`
-  /// iterations of L_p, a few patches, some iterations of smoothing. After the call stage() is what
-  /// comes next. Errors: no_valid_mesh, too_many_elements, those of triangulate().
+  /// iterations of L_p, a few patches, some iterations of smoothing. A mesh to compare with is made
+  /// in one step. After the call stage() is what comes next. Errors: no_valid_mesh,
+  /// too_many_elements, those of triangulate().
   Result<Stage> step(int iterations = 1);
 
   Stage stage() const { return stage_; }
@@ -63,11 +65,16 @@ class Mesher {
     QuadMesh quads;
     OutputMesh output;
     Report report;
+    std::shared_ptr<const Fields> fields;
+    Index triangles_left = 0;
+    bool gave_up = false;
+    std::size_t attempt = 0;
   };
 
   const Attempt& attempt() const { return attempts_[attempt_]; }
   Result<Stage> make_seeds();
   Result<std::vector<Vec2>> choose_seeds() const;
+  Result<Stage> lay_grid();
   void optimise(int iterations);
   void match();
   void clean();
@@ -79,8 +86,12 @@ class Mesher {
   Result<Stage> check();
   Index triangles_allowed() const;
   Result<Stage> next_attempt(const Error& failure);
+  Stage begin_attempt();
+  Result<Stage> compare();
   void keep_better(Candidate candidate);
+  bool lags_behind() const;
   Stage go_on();
+  void show_kept();
   Stage take_kept();
 
   std::shared_ptr<const Preparation> prepared_;
@@ -94,6 +105,7 @@ class Mesher {
   TriMesh triangles_;
   QuadMesh quads_;
   std::optional<PatchRemesher> patches_;
+  bool comparing_ = false;    // within one step
   Index triangles_left_ = 0;  // by the matching, of an attempt
   bool annealing_ = false;    // the second round of patches, smoothing and check
   bool gave_up_ = false;      // patches hardly ever helped in the first

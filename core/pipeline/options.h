@@ -80,7 +80,8 @@ template <class O, class F>
 void each_lp_field(O& o, F&& visit) {
   visit("effort", o.effort,
         FieldInfo{0, 1, "",
-                  "high: irregular vertices are moved about and cancelled for much longer."});
+                  "high: irregular vertices are moved about and cancelled for much longer; in the "
+                  "plane four other sizes are tried instead of two."});
   visit(
       "seeds", o.seeds,
       FieldInfo{

@@ -141,6 +141,8 @@ Result<Preparation> prepare(const DomainInput& input, const Options& options,
     tell({{ErrorCode::ignored,
            "The number of quads has no effect here: a function gives the sizes.",
            {}}});
+  prepared.own_fields =
+      fields_are_ours(given, frame, prepared.boundary, graded->fields, prepared.fields);
   for (const Vec2 seed : given.seeds) prepared.seeds.push_back(frame.to_frame(seed));
   return prepared;
 }

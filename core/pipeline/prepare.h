@@ -13,6 +13,7 @@ struct Preparation {
   BoundaryMesh boundary;
   Fields fields;
   std::vector<Vec2> seeds;  // the caller's, unit frame; empty = the method's own
+  bool own_fields = true;   // neither sizes nor directions are the caller's
 };
 
 /// Judges input and options, makes the 1D mesh and both fields.

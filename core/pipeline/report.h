@@ -21,6 +21,7 @@ struct StageTime {
 struct SizeFidelity {
   double p10 = 0, p50 = 0, p90 = 0;
   double min = 0, max = 0;
+  double off = 0;  // by how much the longer of the two exceeds the other, mean
 };
 
 /// Of the ratios of all edges, in any order.

@@ -22,7 +22,7 @@ class Session {
                                const UserFields& user = {}, Memory memory = Memory::everything);
 
   /// Up to n ticks, each one Mesher::step(): an iteration of L_p, a few patches, some iterations of
-  /// smoothing, or a whole stage. Stops at the end.
+  /// smoothing, a whole stage, or a whole mesh to compare with. Stops at the end.
   /// Errors: those of Mesher::step; the run is over then, but restore() still leads back.
   Result<Stage> step(int n = 1);
   /// Goes to the state after k ticks, forwards or backwards; the same values as the first time.

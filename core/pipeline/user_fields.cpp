@@ -82,6 +82,8 @@ bool is_within_reach(Vec2 point, const UnitFrame& frame) {
   return std::isfinite(squared_length(frame.to_frame(point)));
 }
 
+bool has_function(const UserFields& user) { return user.size || user.angle || user.stretch; }
+
 Problem judge_user_fields(const UserFields& user, const Domain& domain, double max_elements) {
   if (Problem problem = judge_sizes(user.sizes)) return problem;
   for (std::size_t g = 0; g < user.guides.size(); ++g)

@@ -18,6 +18,9 @@ namespace lpq {
 /// than a run of at most `max_elements` is to have.
 Problem judge_user_fields(const UserFields& user, const Domain& domain, double max_elements);
 
+/// Of sizes or directions.
+bool has_function(const UserFields& user);
+
 /// Whether distances from the domain can be computed.
 bool is_within_reach(Vec2 point, const UnitFrame& frame);
 

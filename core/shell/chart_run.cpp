@@ -8,11 +8,13 @@
 #include "base/hash.h"
 #include "cleanup/ideal_valence.h"
 #include "cleanup/smooth.h"
+#include "grids/border_loops.h"
+#include "grids/submapped_grid.h"
 #include "mesh/quality.h"
 #include "numerics/elementary.h"
 #include "pipeline/shape_options.h"
+#include "shell/border_slide.h"
 #include "shell/chart_fields.h"
-#include "shell/grids/submapped_grid.h"
 #include "surface/charts/carry.h"
 
 namespace lpq {
@@ -194,7 +196,7 @@ bool ChartRun::keep_better(const QuadMesh& quads, double eta_min, OutputMesh out
 
 /// If that is better.
 bool ChartRun::take(std::optional<QuadMesh> grid, const Options& options) {
-  if (!grid) return false;
+  if (!grid || !is_convex_after_sliding(*grid, border_loops(mesher_->boundary()))) return false;
   smooth_eta(*grid, mesher_->fields(), shape_smoothing(options));
   return keep_better(*grid, least_eta_inside(*grid), mesher_->output_of(*grid));
 }

@@ -54,7 +54,9 @@ TEST_CASE("a plate in few triangles is meshed as well as in the plane", "[slow]"
   REQUIRE(outcome.has_value());
   DomainInput domain;
   domain.regions.push_back({"", {plate.outline, plate.hole}, {}});
-  const auto in_plane = mesh_domain(domain, {.size = h});
+  UserFields alone;  // no other size is tried for it, nor a grid
+  alone.size = [](Vec2) { return h; };
+  const auto in_plane = mesh_domain(domain, {.size = h}, {}, nullptr, alone);
   REQUIRE(in_plane.has_value());
   const auto lacking = [](const auto& quality) {
     return (1 - quality.eta_mean) + (1 - quality.four_valent_percent / 100);

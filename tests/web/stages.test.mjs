@@ -28,7 +28,8 @@ function produce(name, options, flags) {
   return { options, names, files: new Map(names.filter((file) => /\.(json|obj)$/.test(file)).map((file) => [file, read(file)])), bytes: binary && Uint8Array.from(binary).buffer };
 }
 const paper = produce('paper', { size: 0.15, method: 'paper', seeds: 'isotropic' }, ['--size', '0.15', '--method', 'paper', '--seeds', 'isotropic']);
-const best = produce('best', { size: 0.15 }, ['--size', '0.15']);
+const best = produce('best', { size: 0.06 }, ['--size', '0.06']);  // the first of its meshes is kept
+const other = produce('other', { size: 0.15 }, ['--size', '0.15']);  // one of another size is
 
 const close = (a, b, what, tolerance = 1e-9) => {
   assert.equal(a.length, b.length, what);
@@ -66,6 +67,22 @@ test('what a folder holds is what the library shows of the same run', async () =
     close([result.report.quality.etaMean, result.report.quality.etaMin], [wanted.report.quality.etaMean, wanted.report.quality.etaMin], 'eta');
     session.dispose();
   }
+});
+
+test('a folder tells how the mesh that is kept was made', async () => {
+  const lpquad = await createLpquad();
+  const recorded = new RecordedSession(readStages(other.files, other.bytes));
+  const session = lpquad.start({ loops: drawing.regions[0].loops }, other.options);
+  const first = at(session, 'match').triangles.points.length, kept = at(session, 'done');
+  assert.notEqual(first, kept.triangles.points.length);
+  for (let tick = 0; recorded.state.stage !== 'done'; tick = recorded.state.tick + 1) {
+    const { stage } = await recorded.restore(tick);
+    const ours = await recorded.snapshot(layers);
+    if (stage === 'match') for (const field of ['points', 'triangles']) close([...ours.triangles[field]], [...kept.triangles[field]], field);
+    if (stage === 'clean') for (const field of ['points', 'mates', 'costs']) close([...ours.matching[field]], [...kept.matching[field]], field);
+    if (stage === 'done') for (const field of ['points', 'quads']) close([...ours.quads[field]], [...kept.quads[field]], field);
+  }
+  session.dispose();
 });
 
 test('every iteration is there, bit for bit', async () => {

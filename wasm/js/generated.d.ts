@@ -31,7 +31,7 @@ export interface MeshOptions {
    */
   method?: 'best' | 'paper';
   /**
-   * high: irregular vertices are moved about and cancelled for much longer.
+   * high: irregular vertices are moved about and cancelled for much longer; in the plane four other sizes are tried instead of two.
    * @default "normal"
    */
   effort?: 'normal' | 'high';
@@ -164,7 +164,7 @@ export interface SurfaceOptions {
    */
   method?: 'best' | 'paper';
   /**
-   * high: irregular vertices are moved about and cancelled for much longer.
+   * high: irregular vertices are moved about and cancelled for much longer; in the plane four other sizes are tried instead of two.
    * @default "normal"
    */
   effort?: 'normal' | 'high';

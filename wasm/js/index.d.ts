@@ -102,7 +102,7 @@ export interface Progress {
   energy: number;
 }
 
-export type Stage = 'seeds' | 'optimise' | 'match' | 'clean' | 'patch' | 'smooth' | 'check' | 'done';
+export type Stage = 'seeds' | 'optimise' | 'match' | 'clean' | 'patch' | 'smooth' | 'check' | 'compare' | 'done';
 
 export interface Mesh {
   /** x0, y0, x1, y1, …  2 #V. With `keepBoundary` the given points come first, bit for bit. */
@@ -220,7 +220,7 @@ export class LpquadError extends Error {
   where: Where;
 }
 
-/** Where a run is. A tick is one iteration of the L_p stage, a few patches, some iterations of the smoothing, or a whole stage. */
+/** Where a run is. A tick is one iteration of the L_p stage, a few patches, some iterations of the smoothing, a whole stage, or a whole mesh to compare with. */
 export interface State extends Progress {
   tick: number;
   /** Of the L_p energy, without unit; 0 outside the optimisation. */

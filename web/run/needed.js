@@ -20,6 +20,7 @@ const telling = {
   patch: ['boundary', 'quads', 'quality', 'valence'],
   smooth: ['boundary', 'quads', 'quality', 'valence'],
   check: ['boundary', 'quads', 'quality', 'valence'],
+  compare: ['boundary', 'quads', 'quality', 'valence'],
   done: ['boundary', 'quads', 'quality', 'valence'],
 };
 

@@ -6,7 +6,7 @@ import { nameOfOption } from '../mesh/options.js';
 /** What is on the screen when this stage comes next. @type {Record<State['stage'], string>} */
 const shown = {
   seeds: 'cross field', optimise: 'triangles', match: 'triangles to merge', clean: 'triangles merged to quads',
-  patch: 'quads tidied', smooth: 'patches remeshed', check: 'corners smoothed', done: 'last check',
+  patch: 'quads tidied', smooth: 'patches remeshed', check: 'corners smoothed', compare: 'checked, to compare with others', done: 'last check',
 };
 
 /** @param {State} state */
@@ -34,7 +34,7 @@ export function expectedTicks({ history, result }) {
   if (last === undefined) return 0;
   if (result || last.stage === 'done') return last.tick;
   const left = last.maxIterations - last.iteration + 5;
-  const after = { seeds: left, optimise: left, match: 4, clean: 3, patch: 3, smooth: 2, check: 1 };
+  const after = { seeds: left, optimise: left, match: 6, clean: 5, patch: 5, smooth: 4, check: 3, compare: 2 };
   return last.tick + Math.max(1, after[last.stage]);
 }
 

@@ -14,7 +14,7 @@ const needed = ['background.json', 'crosses.json', 'sizes.json', 'seeds.json', '
   'energy.json', 'matching.json', 'matched_triangles.obj'];
 const quadFile = /^quads-(\d+)-(.+)\.obj$/;
 /** What comes after a file of quads has been written, by the last word of its name. @type {Record<string, State['stage']>} */
-const stageAfter = { matched: 'clean', cleaned: 'patch', patched: 'smooth', annealed: 'smooth', smoothed: 'check', kept: 'check' };
+const stageAfter = { matched: 'clean', cleaned: 'patch', patched: 'smooth', annealed: 'smooth', grid: 'smooth', smoothed: 'check', kept: 'check' };
 
 /** Whether files look like such a folder. @param {Iterable<string>} names */
 export function isStagesFolder(names) {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "mesh/quad_mesh.h"
-#include "shell/grids/lattice.h"
 
 namespace lpq {
 
@@ -12,6 +11,6 @@ namespace lpq {
 /// this says whether that can help. Only nodes of `loops` where the border is straight move, by
 /// less than half an edge, and only those of quads that are not convex. Cost O(#quads) for each of
 /// them.
-bool is_convex_after_sliding(QuadMesh grid, const std::vector<LatticeLoop>& loops);
+bool is_convex_after_sliding(QuadMesh grid, const std::vector<std::vector<Index>>& loops);
 
 }  // namespace lpq

@@ -1,11 +1,11 @@
 // See hole_places.h.
-#include "shell/grids/hole_places.h"
+#include "grids/hole_places.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "shell/grids/polar.h"
-#include "shell/grids/springs.h"
+#include "grids/polar.h"
+#include "grids/springs.h"
 
 namespace lpq {
 namespace {

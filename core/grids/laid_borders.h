@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "domain/boundary.h"
+#include "grids/lattice.h"
 #include "mesh/tri_mesh.h"
-#include "shell/grids/lattice.h"
 
 namespace lpq {
 

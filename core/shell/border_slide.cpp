@@ -1,5 +1,5 @@
 // See border_slide.h.
-#include "shell/grids/border_slide.h"
+#include "shell/border_slide.h"
 
 #include <algorithm>
 #include <array>
@@ -22,13 +22,13 @@ double sine(Vec2 a, Vec2 b) {
 
 class Slider {
  public:
-  Slider(QuadMesh grid, const std::vector<LatticeLoop>& loops)
+  Slider(QuadMesh grid, const std::vector<std::vector<Index>>& loops)
       : grid_(std::move(grid)),
         faces_at_(faces_at_vertices(grid_)),
         ways_(static_cast<std::size_t>(grid_.fixed)) {
-    for (const LatticeLoop& loop : loops)
-      for (std::size_t k = 0, n = loop.nodes.size(); k < n; ++k)
-        add(loop.nodes[(k + n - 1) % n], loop.nodes[k], loop.nodes[(k + 1) % n]);
+    for (const std::vector<Index>& loop : loops)
+      for (std::size_t k = 0, n = loop.size(); k < n; ++k)
+        add(loop[(k + n - 1) % n], loop[k], loop[(k + 1) % n]);
   }
 
   bool run() {
@@ -94,7 +94,7 @@ class Slider {
 
 }  // namespace
 
-bool is_convex_after_sliding(QuadMesh grid, const std::vector<LatticeLoop>& loops) {
+bool is_convex_after_sliding(QuadMesh grid, const std::vector<std::vector<Index>>& loops) {
   return Slider(std::move(grid), loops).run();
 }
 

@@ -6,12 +6,12 @@
 #include <optional>
 
 #include "catch.h"
+#include "grids/lattice.h"
+#include "grids/loop_turns.h"
+#include "grids/polar.h"
+#include "grids/submapped_grid.h"
 #include "numerics/elementary.h"
 #include "pipeline/mesher.h"
-#include "shell/grids/lattice.h"
-#include "shell/grids/loop_turns.h"
-#include "shell/grids/polar.h"
-#include "shell/grids/submapped_grid.h"
 #include "support/check_grid.h"
 #include "support/meshed_surface.h"
 
@@ -85,7 +85,7 @@ SurfaceSoup washer_soup(double outer, double inner, int edges) {
 
 }  // namespace
 
-TEST_CASE("a line about a centre has no leaps, and counts its rounds", "[shell][grid]") {
+TEST_CASE("a line about a centre has no leaps, and counts its rounds", "[grids]") {
   const Vec2 centre{0.3, -0.2};
   const auto check = [centre](const Loop& loop, Index rounds) {
     const LineAbout line = line_about(centre, loop);
@@ -109,7 +109,7 @@ TEST_CASE("a line about a centre has no leaps, and counts its rounds", "[shell][
 }
 
 TEST_CASE("a line that goes round ends in its column, as many rows further as are wanted",
-          "[shell][grid]") {
+          "[grids]") {
   for (int seed = 0; seed < 20; ++seed) {
     INFO(seed);
     std::vector<Vec2> points;
@@ -127,13 +127,13 @@ TEST_CASE("a line that goes round ends in its column, as many rows further as ar
   }
 }
 
-TEST_CASE("straight lines stay straight", "[shell][grid]") {
+TEST_CASE("straight lines stay straight", "[grids]") {
   std::vector<Vec2> points;
   for (int k = 0; k < 17; ++k) points.push_back({2, 0.3 * k});
   for (const Index d : line_turns(points, {0, 17 * 0.3}, std::nullopt)) CHECK((d & 3) == 1);
 }
 
-TEST_CASE("the cells of a lattice that goes round", "[shell][grid]") {
+TEST_CASE("the cells of a lattice that goes round", "[grids]") {
   const Index rows = 7;
   LaidLoops laid{{{}, {}}, rows, {}};
   for (Index k = 0; k < rows; ++k) {
@@ -155,7 +155,7 @@ TEST_CASE("the cells of a lattice that goes round", "[shell][grid]") {
   CHECK_FALSE(lattice_quads(laid, 2 * rows, 100));  // inside out
 }
 
-TEST_CASE("a ring is a grid", "[shell][grid]") {
+TEST_CASE("a ring is a grid", "[grids]") {
   const double ratio = GENERATE(1.2, 1.6, 2.4);
   const Vec2 off = GENERATE(Vec2{0, 0}, Vec2{0.06, 0.03});
   const double turned = GENERATE(0.0, 0.4, 11.7);  // nodes of the two need not be opposite
@@ -168,7 +168,7 @@ TEST_CASE("a ring is a grid", "[shell][grid]") {
   check_grid(mesher.boundary(), *grid);
 }
 
-TEST_CASE("a ring with holes in it is a grid", "[shell][grid]") {
+TEST_CASE("a ring with holes in it is a grid", "[grids]") {
   const int holes = GENERATE(3, 6);
   std::vector<Loop> loops{circle({}, 2.2, 72), circle({}, 1.1, 72, 0.3)};
   for (const Vec2 at : circle({}, 1.65, holes, 0.49)) loops.push_back(circle(at, 0.19, 8, 0.2));
@@ -181,7 +181,7 @@ TEST_CASE("a ring with holes in it is a grid", "[shell][grid]") {
   CHECK_FALSE(ring_grid(mesher.boundary(), {}, 72 * 8 - holes * 4));  // nothing tells where
 }
 
-TEST_CASE("a wheel with teeth is a grid", "[shell][grid]") {
+TEST_CASE("a wheel with teeth is a grid", "[grids]") {
   const int teeth = 12;
   const Mesher mesher = finished({gear(2, teeth), circle({}, 1.2, 6 * teeth)});
   const double wanted = 6 * teeth * 5 + 3 * teeth;
@@ -191,12 +191,12 @@ TEST_CASE("a wheel with teeth is a grid", "[shell][grid]") {
   check_grid(mesher.boundary(), *grid);
 }
 
-TEST_CASE("a hole far smaller than the border has no ring", "[shell][grid]") {
+TEST_CASE("a hole far smaller than the border has no ring", "[grids]") {
   const Mesher mesher = finished({circle({}, 4, 60), circle({}, 1, 16)});
   CHECK_FALSE(grid_of(mesher, 270));
 }
 
-TEST_CASE("a washer has no irregular vertex", "[shell][grid]") {
+TEST_CASE("a washer has no irregular vertex", "[grids]") {
   const double size = GENERATE(0.08, 0.17);
   const double inner = GENERATE(0.55, 0.8);
   const ShellOutcome outcome = meshed(washer_soup(2, 2 * inner, 90), {.size = size});

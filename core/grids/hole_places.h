@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "grids/lattice.h"
 #include "mesh/tri_mesh.h"
-#include "shell/grids/lattice.h"
 
 namespace lpq {
 

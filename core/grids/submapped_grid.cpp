@@ -1,12 +1,11 @@
 // See submapped_grid.h.
-#include "shell/grids/submapped_grid.h"
+#include "grids/submapped_grid.h"
 
 #include <algorithm>
 
 #include "cleanup/untangle.h"
-#include "shell/grids/border_slide.h"
-#include "shell/grids/laid_borders.h"
-#include "shell/grids/springs.h"
+#include "grids/laid_borders.h"
+#include "grids/springs.h"
 
 namespace lpq {
 namespace {
@@ -39,17 +38,17 @@ QuadMesh in_the_plane(const BoundaryMesh& boundary, LatticeQuads quads) {
 }
 
 // The share of quads that may be tangled before positions are looked for that undo it, and after
-// that: nodes of the border will slide along their curves.
+// that.
 constexpr double most_tangled = 0.2, most_left = 0.02;
 
-bool make_convex(QuadMesh& grid, const std::vector<LatticeLoop>& loops) {
+/// All but the few that may be left.
+bool make_convex(QuadMesh& grid) {
   const auto faces = static_cast<double>(grid.faces.size());
   const auto tangled = static_cast<double>(invalid_faces(grid).size());
   if (tangled == 0) return true;
   if (tangled > most_tangled * faces) return false;
   untangle(grid);
-  const auto left = static_cast<double>(invalid_faces(grid).size());
-  return left == 0 || (left <= most_left * faces && is_convex_after_sliding(grid, loops));
+  return static_cast<double>(invalid_faces(grid).size()) <= most_left * faces;
 }
 
 std::optional<QuadMesh> grid_between(const std::optional<LaidLoops>& laid,
@@ -62,7 +61,7 @@ std::optional<QuadMesh> grid_between(const std::optional<LaidLoops>& laid,
   if (!quads || !is_near(static_cast<double>(quads->faces.size()), wanted, border))
     return std::nullopt;
   QuadMesh grid = in_the_plane(boundary, std::move(*quads));
-  if (!make_convex(grid, laid->loops)) return std::nullopt;
+  if (!make_convex(grid)) return std::nullopt;
   return grid;
 }
 

@@ -1,5 +1,5 @@
 // See loop_turns.h.
-#include "shell/grids/loop_turns.h"
+#include "grids/loop_turns.h"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,9 @@
 
 #include "base/function_ref.h"
 #include "cleanup/ideal_valence.h"
+#include "grids/lattice.h"
 #include "mesh/ideal_quads.h"
 #include "numerics/elementary.h"
-#include "shell/grids/lattice.h"
 
 namespace lpq {
 namespace {
@@ -231,6 +231,10 @@ std::vector<Index> turns_of(const Border& border, double axis, End wanted) {
 
 std::vector<Index> loop_turns(std::span<const Vec2> points, double axis) {
   return turns_of({points, {}}, axis, [](LatticePlace) { return LatticePlace{}; });
+}
+
+std::vector<Index> open_turns(std::span<const Vec2> points, double axis) {
+  return turns_of({points, {}}, axis, [](LatticePlace end) { return end; });
 }
 
 std::vector<Index> line_turns(std::span<const Vec2> points, Vec2 period,

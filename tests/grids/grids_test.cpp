@@ -8,13 +8,13 @@
 #include "cleanup/ideal_valence.h"
 #include "cleanup/quad_topology.h"
 #include "cleanup/untangle.h"
+#include "grids/hole_places.h"
+#include "grids/lattice.h"
+#include "grids/loop_turns.h"
+#include "grids/submapped_grid.h"
 #include "mesh/ideal_quads.h"
 #include "numerics/elementary.h"
 #include "pipeline/mesher.h"
-#include "shell/grids/hole_places.h"
-#include "shell/grids/lattice.h"
-#include "shell/grids/loop_turns.h"
-#include "shell/grids/submapped_grid.h"
 #include "support/check_grid.h"
 #include "support/meshed_surface.h"
 
@@ -180,7 +180,7 @@ SurfaceSoup soup_of(const Mesher& mesher) {
 
 }  // namespace
 
-TEST_CASE("a border turns on the lattice where that costs least", "[shell][grid]") {
+TEST_CASE("a border turns on the lattice where that costs least", "[grids]") {
   for (int seed = 0; seed < 40; ++seed) {
     const std::vector<Vec2> points = star(4 + 2 * (seed % 4), seed);
     INFO(seed << " with " << points.size() << " points");
@@ -196,11 +196,11 @@ TEST_CASE("a border turns on the lattice where that costs least", "[shell][grid]
   }
 }
 
-TEST_CASE("an odd border does not close on the lattice", "[shell][grid]") {
+TEST_CASE("an odd border does not close on the lattice", "[grids]") {
   CHECK(loop_turns(star(7, 1), 0).empty());
 }
 
-TEST_CASE("loops on the lattice enclose their area in cells", "[shell][grid]") {
+TEST_CASE("loops on the lattice enclose their area in cells", "[grids]") {
   const auto loop = [](std::vector<Index> directions, LatticePlace at, Index first) {
     LatticeLoop line;
     line.nodes.resize(directions.size());
@@ -233,7 +233,7 @@ TEST_CASE("loops on the lattice enclose their area in cells", "[shell][grid]") {
   CHECK_FALSE(quads_of({outer, hole({0, 5}), hole({0, 5})}, 26, 100));   // twice
 }
 
-TEST_CASE("a plate with holes is a grid", "[shell][grid]") {
+TEST_CASE("a plate with holes is a grid", "[grids]") {
   const int edges = GENERATE(8, 12);
   const auto mesher =
       Mesher::start(plate({16, 10}, edges, {{4.2, 5.1}, {11.6, 3.3}, {11.9, 7.2}}, 0.16 * edges),
@@ -250,7 +250,7 @@ TEST_CASE("a plate with holes is a grid", "[shell][grid]") {
   CHECK_FALSE(grid_of(chain.boundary(), 160 - 3 * hole));  // nothing tells where
 }
 
-TEST_CASE("a flat part with holes has no irregular vertex inside", "[shell][grid]") {
+TEST_CASE("a flat part with holes has no irregular vertex inside", "[grids]") {
   // Sizes that leave the sides as many edges as they had.
   auto mesher = Mesher::start(
       plate(
@@ -265,7 +265,7 @@ TEST_CASE("a flat part with holes has no irregular vertex inside", "[shell][grid
   CHECK(outcome.report.quality.eta_min > 0.5);
 }
 
-TEST_CASE("quads at the border are made convex by its nodes", "[shell][grid]") {
+TEST_CASE("quads at the border are made convex by its nodes", "[grids]") {
   // A hole close to a border whose nodes are a third of a step off those of the hole.
   const auto input = plate({16, 10}, 8, {{4.4, 1.3}, {11.1, 6.5}}, 1.28);
   const auto mesher = Mesher::start(input, {.keep_boundary = true});
@@ -284,7 +284,7 @@ TEST_CASE("quads at the border are made convex by its nodes", "[shell][grid]") {
   CHECK(outcome.report.quality.eta_min > 0.2);
 }
 
-TEST_CASE("a face with four balanced sides is a grid", "[shell][grid]") {
+TEST_CASE("a face with four balanced sides is a grid", "[grids]") {
   const auto bent = [](Vec2 p) { return Vec2{p.x + 0.2 * p.y, p.y + 0.3 * p.x * (1 - p.x)}; };
   auto points = square({5, 3, 5, 3}, bent);
   const int start = GENERATE(0, 2, 7);  // the loop may begin anywhere
@@ -297,14 +297,14 @@ TEST_CASE("a face with four balanced sides is a grid", "[shell][grid]") {
   check_grid(boundary, *grid);
 }
 
-TEST_CASE("a strip one quad wide is a grid without inner vertices", "[shell][grid]") {
+TEST_CASE("a strip one quad wide is a grid without inner vertices", "[grids]") {
   const auto grid = grid_of(boundary_of(square({1, 4, 1, 4}, same)), 4);
   REQUIRE(grid);
   CHECK(grid->faces.size() == 4);
   CHECK(grid->points.size() == 10);
 }
 
-TEST_CASE("a face with a hollow corner is a grid", "[shell][grid]") {
+TEST_CASE("a face with a hollow corner is a grid", "[grids]") {
   const BoundaryMesh boundary =
       boundary_of({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 1}});
   const auto grid = grid_of(boundary, 3);
@@ -313,14 +313,14 @@ TEST_CASE("a face with a hollow corner is a grid", "[shell][grid]") {
   check_grid(boundary, *grid);
 }
 
-TEST_CASE("no grid where its number is not what the sizes ask for", "[shell][grid]") {
+TEST_CASE("no grid where its number is not what the sizes ask for", "[grids]") {
   const BoundaryMesh boundary = boundary_of(square({20, 20, 20, 20}, same));
   for (const double wanted : {390.0, 400.0, 600.0}) CHECK(grid_of(boundary, wanted));
   for (const double wanted : {50.0, 1000.0}) CHECK_FALSE(grid_of(boundary, wanted));
   CHECK(grid_of(boundary_of(square({1, 1, 1, 1}, same)), 0.01));
 }
 
-TEST_CASE("other borders have no grid", "[shell][grid]") {
+TEST_CASE("other borders have no grid", "[grids]") {
   SECTION("sides that differ") {
     CHECK_FALSE(grid_of(boundary_of(square({5, 3, 4, 4}, same)), 16));
   }

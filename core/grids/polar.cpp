@@ -1,5 +1,5 @@
 // See polar.h.
-#include "shell/grids/polar.h"
+#include "grids/polar.h"
 
 #include "numerics/elementary.h"
 

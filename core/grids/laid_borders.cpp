@@ -1,30 +1,18 @@
 // See laid_borders.h.
-#include "shell/grids/laid_borders.h"
+#include "grids/laid_borders.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/polygon.h"
+#include "grids/border_loops.h"
+#include "grids/hole_places.h"
+#include "grids/loop_turns.h"
+#include "grids/polar.h"
 #include "numerics/elementary.h"
-#include "shell/grids/border_loops.h"
-#include "shell/grids/hole_places.h"
-#include "shell/grids/loop_turns.h"
-#include "shell/grids/polar.h"
 
 namespace lpq {
 namespace {
-
-/// The direction that most of the border keeps, but for quarter turns.
-double axis_of(const BoundaryMesh& boundary) {
-  const auto square = [](Vec2 z) { return complex_product(z, z); };
-  Vec2 sum;
-  for (const Segment& edge : boundary.edges) {
-    const Vec2 d = boundary.points[edge.b] - boundary.points[edge.a];
-    const double size = length(d);
-    sum += (1 / (size * size * size)) * square(square(d));
-  }
-  return arc_tangent(sum.y, sum.x) / 4;
-}
 
 /// From {0, 0} on.
 LatticeLoop along(const std::vector<Index>& nodes, const std::vector<Index>& directions) {
@@ -45,32 +33,12 @@ bool may_place(const LaidLoops& laid, std::size_t placed, const BoundaryMesh& bo
 
 Index nearest(double x) { return static_cast<Index>(std::floor(x + 0.5)); }
 
-Vec2 centre_of(const std::vector<Vec2>& polygon) {
-  Vec2 sum;
-  double area = 0;
-  const Vec2 origin = polygon[0];
-  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
-    const Vec2 a = polygon[k] - origin, b = polygon[k + 1] - origin;
-    sum += cross(a, b) * (a + b);
-    area += cross(a, b);
-  }
-  return origin + (1 / (3 * area)) * sum;
-}
-
 /// Borders of a ring, laid round the centre of a hole.
 class RingLoops {
  public:
   RingLoops(const BoundaryMesh& boundary, std::vector<std::vector<Index>> borders)
       : boundary_(boundary), borders_(std::move(borders)) {
-    std::size_t largest = 1;
-    double most = 0;
-    for (std::size_t k = 1; k < borders_.size(); ++k) {
-      const double area = std::fabs(signed_area(points_of(boundary, borders_[k])));
-      if (!(area > most)) continue;
-      most = area;
-      largest = k;
-    }
-    std::swap(borders_[1], borders_[largest]);
+    std::swap(borders_[1], borders_[largest_hole(boundary, borders_)]);
     laid_.centre = centre_of(points_of(boundary, borders_[1]));
   }
 

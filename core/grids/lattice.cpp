@@ -1,5 +1,5 @@
 // See lattice.h.
-#include "shell/grids/lattice.h"
+#include "grids/lattice.h"
 
 #include <algorithm>
 #include <array>

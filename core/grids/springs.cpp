@@ -1,5 +1,5 @@
 // See springs.h.
-#include "shell/grids/springs.h"
+#include "grids/springs.h"
 
 #include <utility>
 

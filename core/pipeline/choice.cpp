@@ -1,0 +1,159 @@
+// Mesher: which of the meshes that attempts make is kept, and what comes after each.
+#include <algorithm>
+#include <utility>
+
+#include "pipeline/finish.h"
+#include "pipeline/mesher.h"
+#include "pipeline/shape_options.h"
+#include "pipeline/stage_timer.h"
+#include "recombine/subdivide.h"
+
+namespace lpq {
+namespace {
+
+// One irregular vertex in a hundred counts as much as 0.01 of mean eta, the worst quad below this
+// as much as all others together.
+constexpr double least_eta = 0.2;
+// With less than that no other mesh is looked for.
+constexpr double low_cost = 0.012;
+// At least this share of it is left by all iterations of smoothing but the first.
+constexpr double least_left = 0.75;
+
+/// What is lacking in shape, regular vertices and size: less is better.
+double cost_of(const Report& report, const Options& options) {
+  const QuadQuality& quality = report.quality;
+  return 1 - quality.eta_mean + 0.01 * (100 - quality.four_valent_percent) +
+         std::max(0.0, least_eta - quality.eta_min) + options.size_weight * report.size.off;
+}
+
+/// Fewer triangles come first, but where they may stay.
+bool is_better(const Report& a, const Report& b, const Options& options) {
+  if (options.elements != Elements::quad_dominant && a.quality.triangles != b.quality.triangles)
+    return a.quality.triangles < b.quality.triangles;
+  return cost_of(a, options) < cost_of(b, options);
+}
+
+}  // namespace
+
+Result<Stage> Mesher::check() {
+  const StageTimer timer(report_.times, "check");
+  const BoundaryMesh& nodes = boundary();
+  output_ = to_output(quads_, prepared_->domain,
+                      attempt().subdivide ? halve_edges(nodes, frame()) : nodes);
+  if (const std::vector<Violation> violations = check_output(output_); !violations.empty())
+    return next_attempt(no_valid_mesh(output_, violations));
+
+  report_.quality = quad_quality(quads_);
+  if (const Index surplus = report_.quality.triangles - triangles_allowed(); surplus > 0)
+    return next_attempt({ErrorCode::no_valid_mesh,
+                         std::to_string(surplus) + " triangles could not be paired into quads.",
+                         {}});
+  report_.interior_vertices = static_cast<Index>(output_.points.size()) - output_.fixed;
+  report_.size = size_fidelity(quads_, prepared_->fields);
+  report_.hash = output_hash(output_);
+  keep_better({quads_, output_, report_, fields_, triangles_left_, gave_up_, attempt_});
+  return go_on();
+}
+
+// The matching leaves one in every part of odd count; later steps neither need nor make others.
+Index Mesher::triangles_allowed() const {
+  switch (options_.elements) {
+    case Elements::quad: return 0;
+    case Elements::one_triangle: return triangles_left_;
+    case Elements::quad_dominant: break;
+  }
+  return report_.quality.triangles;
+}
+
+void Mesher::keep_better(Candidate candidate) {
+  if (!kept_ || is_better(candidate.report, kept_->report, options_)) kept_ = std::move(candidate);
+}
+
+// A mesh that has been smoothed for a while and will not be the one that is kept.
+bool Mesher::lags_behind() const {
+  if (!kept_ || options_.elements == Elements::one_triangle) return false;  // fewer come first
+  Report report;
+  report.quality = quad_quality(quads_);
+  report.size = size_fidelity(quads_, prepared_->fields);
+  return least_left * cost_of(report, options_) > cost_of(kept_->report, options_);
+}
+
+// To the alternative that is left, or with what was kept; while there is nothing, to the next
+// attempt.
+Stage Mesher::go_on() {
+  if (comparing_) return stage_ = Stage::done;
+  const bool is_wanted =
+      !kept_ || (attempt_ + 1 < attempts_.size() && attempts_[attempt_ + 1].alternative &&
+                 cost_of(kept_->report, options_) > low_cost);
+  if (!is_wanted) return begin_annealing() ? stage_ : take_kept();
+  ++attempt_;
+  return begin_attempt();
+}
+
+Stage Mesher::begin_attempt() {
+  optimizer_.reset();
+  patches_.reset();
+  return stage_ = attempt().at_once ? Stage::compare : Stage::seeds;
+}
+
+Result<Stage> Mesher::next_attempt(const Error& failure) {
+  if (kept_) return go_on();  // the annealed mesh failed, or an alternative
+  Warning warning = failure;
+  warning.message = "The chain '" + report_.chain + "' did not pass: " + failure.message;
+  report_.warnings.push_back(warning);
+  if (!comparing_ && attempt_ + 1 == attempts_.size()) return failure;
+  ++report_.attempts;
+  return go_on();
+}
+
+// A whole attempt. Unless its mesh is the best, all is as it was before then.
+Result<Stage> Mesher::compare() {
+  const bool is_chain = attempt().grid == Grid::no;  // grids go on from the triangles
+  TriMesh triangles = is_chain ? triangles_ : TriMesh();
+  std::optional<Trace> trace = trace_;
+  if (trace_ && is_chain) keep_trace();
+  comparing_ = true;
+  Result<Stage> stage = stage_ = Stage::seeds;
+  while (stage && stage_ != Stage::done) stage = step();
+  comparing_ = false;
+  if (!stage) return stage;
+  if (!kept_ || kept_->attempt != attempt_) {
+    if (is_chain) triangles_ = std::move(triangles);
+    trace_ = std::move(trace);
+    if (kept_) show_kept();
+  }
+  return go_on();
+}
+
+// High effort goes on from the mesh that normal effort ends with, and must end with a better one.
+bool Mesher::begin_annealing() {
+  if (!for_shape() || options_.effort == Effort::normal || annealing_ || kept_->gave_up)
+    return false;
+  show_kept();
+  annealing_ = true;
+  patches_.emplace(quads_, *fields_, annealing_options(options_));
+  stage_ = Stage::patch;
+  return true;
+}
+
+void Mesher::show_kept() {
+  quads_ = kept_->quads;
+  output_ = kept_->output;
+  fields_ = kept_->fields;
+  triangles_left_ = kept_->triangles_left;
+  const auto times = report_.times;
+  report_ = kept_->report;
+  report_.times = times;
+}
+
+Stage Mesher::take_kept() {
+  if (trace_ && trace_->quads.back().mesh.points != kept_->quads.points)
+    trace_->quads.push_back({"kept", kept_->quads});
+  show_kept();
+  for (Warning& warning : tell_poor_quads(output_)) report_.warnings.push_back(std::move(warning));
+  if (options_.elements == Elements::one_triangle)
+    for (Warning& warning : tell_triangles(output_)) report_.warnings.push_back(std::move(warning));
+  return stage_ = Stage::done;
+}
+
+}  // namespace lpq
