@@ -11,13 +11,14 @@ namespace lpq {
 /// something divides the inside, or if there are two outer ones. Cost O(#nodes).
 std::vector<std::vector<Index>> border_loops(const BoundaryMesh& boundary);
 
-/// Its number; there must be one.
+/// The number, among the loops of border_loops, of the hole of most area; there must be a hole.
 std::size_t largest_hole(const BoundaryMesh& boundary,
                          const std::vector<std::vector<Index>>& loops);
 
+/// Where the nodes of a loop are, unit frame.
 std::vector<Vec2> points_of(const BoundaryMesh& boundary, const std::vector<Index>& loop);
 
-/// Of the area inside.
+/// The centroid of the area inside; it may lie outside.
 Vec2 centre_of(const std::vector<Vec2>& polygon);
 
 /// The direction that most of the border keeps, but for quarter turns. Radians.

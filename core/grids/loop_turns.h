@@ -19,11 +19,13 @@ namespace lpq {
 /// O(#points), times up to 5000 where the cheapest way does not close.
 std::vector<Index> loop_turns(std::span<const Vec2> points, double axis);
 
-/// The cheapest way of all, whether or not it closes; not empty for up to 4000 edges.
+/// The cheapest way of all, whether or not it closes; not empty for up to 4000 edges. Cost
+/// O(#points).
 std::vector<Index> open_turns(std::span<const Vec2> points, double axis);
 
-/// The same for a line that goes on and on: point k again, `period` further. It ends as many rows
-/// above its start as is wanted, or as comes, and in its column; direction 0 is that of the x axis.
+/// As loop_turns for a line that goes on and on: point k again, `period` further. It ends as many
+/// rows above its start as is wanted, or as comes, and in its column; direction 0 is that of the x
+/// axis.
 std::vector<Index> line_turns(std::span<const Vec2> points, Vec2 period, std::optional<Index> rows);
 
 }  // namespace lpq

@@ -8,7 +8,7 @@
 
 namespace lpq {
 
-/// A plain grid in place of a chain (grids/submapped_grid.h).
+/// A plain grid in place of a chain (grids/submapped_grid.h), after one that says where holes lie.
 enum class Grid { no, plane, ring };
 
 /// One chain of stages.

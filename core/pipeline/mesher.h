@@ -65,6 +65,7 @@ class Mesher {
     QuadMesh quads;
     OutputMesh output;
     Report report;
+    // of the attempt that made it
     std::shared_ptr<const Fields> fields;
     Index triangles_left = 0;
     bool gave_up = false;
