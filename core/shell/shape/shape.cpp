@@ -137,8 +137,10 @@ class ShapeFinisher::Run {
     switch (part_) {
       case Part::flat: return mender_->mend_next(flat, true) || end_flat();
       case Part::descent: return descent_->step() || end_descent();
-      case Part::patches: return mender_->smooth_next() || begin_poor();
+      case Part::patches: return mender_->smooth_next() || begin_tips();
+      case Part::tips: return tips_->step() || begin_poor();
       case Part::poor: return mender_->mend_next(poor, false) || end_poor();
+      case Part::tips_again: return tips_->step() || finish();
       case Part::done: break;
     }
     return false;
@@ -149,7 +151,9 @@ class ShapeFinisher::Run {
       case Part::flat: return 0.2 * mender_->share();
       case Part::descent: return 0.2 + 0.5 * descent_->share();
       case Part::patches: return 0.7 + 0.1 * mender_->share();
-      case Part::poor: return 0.8 + 0.2 * mender_->share();
+      case Part::tips: return 0.8;
+      case Part::poor: return 0.8 + 0.15 * mender_->share();
+      case Part::tips_again: return 0.95;
       case Part::done: break;
     }
     return 1;
@@ -158,7 +162,7 @@ class ShapeFinisher::Run {
   ShellMesh take() { return std::move(mesh_); }
 
  private:
-  enum class Part { flat, descent, patches, poor, done };
+  enum class Part { flat, descent, patches, tips, poor, tips_again, done };
 
   bool end_flat() {
     stats_.refilled += mender_->stats().refilled;
@@ -172,16 +176,23 @@ class ShapeFinisher::Run {
     stats_.iterations = descent_->iterations();
     roles_ = std::vector<VertexRole>(descent_->roles());
     descent_.reset();
-    if (stats_.iterations >= stalled_share * options_.iterations) return begin_poor();
+    if (stats_.iterations >= stalled_share * options_.iterations) return begin_tips();
     mender_.emplace(ground_, options_, mesh_, roles_);
     part_ = Part::patches;
     return true;
   }
 
-  bool begin_poor() {
+  bool begin_tips() {
     mender_.reset();
     stats_.eased = ease_corners(charted_, ground_, options_, mesh_, roles_);
-    stats_.reached = reach_tips(charted_, ground_, options_, mesh_, roles_);
+    tips_.emplace(charted_, ground_, options_, mesh_, roles_);
+    part_ = Part::tips;
+    return true;
+  }
+
+  bool begin_poor() {
+    stats_.reached = tips_->reached();
+    tips_.reset();
     mender_.emplace(ground_, options_, mesh_, roles_);
     part_ = Part::poor;
     return true;
@@ -190,7 +201,14 @@ class ShapeFinisher::Run {
   bool end_poor() {
     stats_.refilled += mender_->stats().refilled;
     mender_.reset();
-    stats_.reached += reach_tips(charted_, ground_, options_, mesh_, roles_);
+    tips_.emplace(charted_, ground_, options_, mesh_, roles_);
+    part_ = Part::tips_again;
+    return true;
+  }
+
+  bool finish() {
+    stats_.reached += tips_->reached();
+    tips_.reset();
     lengthen_sides(ground_, options_, mesh_, roles_);
     stats_.tangled_after = count_tangled(ground_, mesh_);
     part_ = Part::done;
@@ -204,6 +222,7 @@ class ShapeFinisher::Run {
   std::vector<VertexRole> roles_;
   std::optional<Mender> mender_;         // of the part that mends or smooths patches
   std::optional<WholeDescent> descent_;  // of the part between
+  std::optional<TipReacher> tips_;       // of the parts for tips
   Part part_ = Part::flat;
   ShapeStats stats_;
 };

@@ -22,11 +22,14 @@ constexpr int most_passes = 6;                // the later ones for what the fir
 // A mesh that is too coarse all over stays as it is.
 constexpr std::size_t most_tips = 1000;
 constexpr int most_trials = 1000;
+constexpr std::size_t places_in_a_step = 100000;
 
-class TipReacher {
+}  // namespace
+
+class TipReacher::Run {
  public:
-  TipReacher(const Charted& charted, const ShapeGround& ground, const SmoothOptions& options,
-             ShellMesh& mesh, std::vector<VertexRole>& roles)
+  Run(const Charted& charted, const ShapeGround& ground, const SmoothOptions& options,
+      ShellMesh& mesh, std::vector<VertexRole>& roles)
       : face_(charted.features.face),
         places_(places_to_cover(charted)),
         ground_(ground),
@@ -35,17 +38,18 @@ class TipReacher {
         roles_(roles),
         stars_(mesh) {}
 
-  Index run() {
-    for (int pass = 0; pass < most_passes; ++pass) {
-      const std::vector<Tip> tips = find();
-      if (tips.size() > most_tips) break;
-      const Index before = reached_;
-      for (const Tip& tip : tips)
-        if (trials_ < most_trials) reach(tip);
-      if (reached_ == before) break;
+  bool step() {
+    if (pass_ == most_passes) return false;
+    if (!cover_ && tips_.empty()) begin_pass();
+    if (cover_) return find_some();
+    if (next_ < tips_.size() && trials_ < most_trials) {
+      reach(tips_[next_++]);
+      return true;
     }
-    return reached_;
+    return end_pass();
   }
+
+  Index reached() const { return reached_; }
 
  private:
   struct Tip {
@@ -53,22 +57,44 @@ class TipReacher {
     Cover::Gap gap;
   };
 
-  /// The farthest first. Notes of all places which quad is nearest.
-  std::vector<Tip> find() {
-    const Cover cover(mesh_);
-    std::vector<Tip> tips;
+  void begin_pass() {
+    cover_.emplace(mesh_);
+    gap_ = {0, 0};
     places_at_.assign(mesh_.faces.size(), {});
-    Cover::Gap gap{0, 0};
-    for (const PlaceToCover& at : places_) {
-      gap = cover.at(at.point, gap.face);
-      if (mesh_.face[gap.face] != face_[at.place.triangle]) continue;
-      places_at_[gap.face].push_back(&at);
-      if (gap.distance > far_off) tips.push_back({&at, gap});
-    }
-    sort_values(tips, [](const Tip& a, const Tip& b) {
+    next_ = 0;
+    reached_before_ = reached_;
+  }
+
+  /// Notes of some more places which quad is nearest; in the end the farthest tips come first.
+  bool find_some() {
+    const std::size_t end = std::min(places_.size(), next_ + places_in_a_step);
+    for (; next_ < end && tips_.size() <= most_tips; ++next_) look_at(places_[next_]);
+    if (tips_.size() > most_tips) return finish();
+    if (next_ < places_.size()) return true;
+    cover_.reset();
+    next_ = 0;
+    sort_values(tips_, [](const Tip& a, const Tip& b) {
       return a.gap.distance != b.gap.distance ? a.gap.distance > b.gap.distance : a.at < b.at;
     });
-    return tips;
+    return !tips_.empty() || finish();
+  }
+
+  void look_at(const PlaceToCover& at) {
+    gap_ = cover_->at(at.point, gap_.face);
+    if (mesh_.face[gap_.face] != face_[at.place.triangle]) return;
+    places_at_[gap_.face].push_back(&at);
+    if (gap_.distance > far_off) tips_.push_back({&at, gap_});
+  }
+
+  bool end_pass() {
+    tips_.clear();
+    return reached_ == reached_before_ ? finish() : ++pass_ < most_passes;
+  }
+
+  bool finish() {
+    pass_ = most_passes;
+    cover_.reset();
+    return false;
   }
 
   void reach(const Tip& tip) {
@@ -154,15 +180,21 @@ class TipReacher {
   const FaceStars stars_;
   std::vector<std::vector<const PlaceToCover*>>
       places_at_;  // #F  nearest to the face, when the pass began
-  Index reached_ = 0;
-  int trials_ = 0;
+  int pass_ = 0, trials_ = 0;
+  Index reached_ = 0, reached_before_ = 0;  // the latter when the pass began
+  std::optional<Cover> cover_;              // while tips are looked for
+  Cover::Gap gap_;                          // of the place looked at last
+  std::vector<Tip> tips_;                   // of this pass
+  std::size_t next_ = 0;                    // place to look at, or tip to reach
 };
 
-}  // namespace
+TipReacher::TipReacher(const Charted& charted, const ShapeGround& ground,
+                       const SmoothOptions& options, ShellMesh& mesh,
+                       std::vector<VertexRole>& roles)
+    : run_(std::make_unique<Run>(charted, ground, options, mesh, roles)) {}
+TipReacher::~TipReacher() = default;
 
-Index reach_tips(const Charted& charted, const ShapeGround& ground, const SmoothOptions& options,
-                 ShellMesh& mesh, std::vector<VertexRole>& roles) {
-  return TipReacher(charted, ground, options, mesh, roles).run();
-}
+bool TipReacher::step() { return run_->step(); }
+Index TipReacher::reached() const { return run_->reached(); }
 
 }  // namespace lpq
