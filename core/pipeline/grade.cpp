@@ -107,7 +107,8 @@ Result<Graded> grade(const Domain& domain, const Options& options, const UserFie
     if (Problem problem = stretch_spacing(domain.frame, user, *boundary))
       return std::move(*problem);
   return Graded{std::move(*boundary),
-                field_options(domain.frame, user, size, growth, options.max_elements)};
+                field_options(domain.frame, user, size, growth, options.max_elements),
+                {}};
 }
 
 // Between two slopes the number of quads goes about as 1/slope.
@@ -185,8 +186,7 @@ Result<Graded> grade_for_count(const Domain& domain, const Options& options, con
   if (!counted) return counted.error();
   auto graded = grade_with(domain, options, user, counted->size.size, counted->growth);
   if (!graded) return graded;
-  if (Problem poor = judge_count(counted->size, options.quads))
-    graded->boundary.warnings.push_back(std::move(*poor));
+  graded->off_count = judge_count(counted->size, options.quads);
   return graded;
 }
 

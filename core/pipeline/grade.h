@@ -12,6 +12,7 @@ namespace lpq {
 struct Graded {
   BoundaryMesh boundary;
   FieldOptions fields;
+  Problem off_count;  // a number of quads that cannot be had
 };
 
 /// For this size in the unit frame; 0: that of the kept boundary's spacing. How fast sizes grow is
@@ -20,8 +21,8 @@ Result<Graded> grade_for_size(const Domain& domain, const Options& options, cons
                               double size);
 
 /// For Options::quads, by a search that begins at this size. Where sizes of gentle slope would ask
-/// for more by themselves, they grow faster; a number that cannot be had is told in the boundary's
-/// warnings. Errors: as above. Cost: up to 25 times that of the above.
+/// for more by themselves, they grow faster. Errors: as above. Cost: up to 25 times that of the
+/// above.
 Result<Graded> grade_for_count(const Domain& domain, const Options& options, const UserFields& user,
                                double first);
 

@@ -7,6 +7,7 @@
 #include "base/words.h"
 #include "field/make_fields.h"
 #include "geometry/box.h"
+#include "pipeline/fine_outline.h"
 #include "pipeline/grade.h"
 #include "pipeline/idle_inputs.h"
 #include "pipeline/user_fields.h"
@@ -96,6 +97,17 @@ UserFields with_those_of(const DomainInput& input, UserFields user) {
   return user;
 }
 
+/// Of a number of quads that is far from what is asked for, and of what a person can do about it.
+std::vector<Warning> count_warnings(const Preparation& prepared, const Graded& graded,
+                                    const Options& options, const UserFields& user, double size) {
+  if (!options.keep_boundary && options.simplify == 0 && user.sizes.empty() && !user.size) {
+    auto warnings = tell_fine_outline(prepared.domain, size, cell_capacity(prepared.fields));
+    if (!warnings.empty()) return warnings;
+  }
+  if (graded.off_count) return {*graded.off_count};
+  return {};
+}
+
 }  // namespace
 
 Error in_world(Error error, const UnitFrame& frame) {
@@ -134,6 +146,7 @@ Result<Preparation> prepare(const DomainInput& input, const Options& options,
   const auto tell = [&](std::vector<Warning> warnings) {
     for (Warning& warning : warnings) prepared.boundary.warnings.push_back(std::move(warning));
   };
+  tell(count_warnings(prepared, *graded, options, given, *size));
   tell(idle_sizes(given, frame, prepared.boundary, graded->fields, prepared.fields));
   tell(idle_guides(given, graded->fields, prepared.fields));
   tell(idle_seeds(given, frame, prepared.fields));

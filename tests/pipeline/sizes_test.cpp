@@ -121,3 +121,28 @@ TEST_CASE("numbers of quads that cannot be had are told") {
   REQUIRE_FALSE(both);
   CHECK(both.error().code == ErrorCode::bad_option);
 }
+
+TEST_CASE("an outline drawn far finer than the mesh is told, with what helps") {
+  Loop fine;
+  for (int i = 0; i < 4000; ++i) {
+    const double t = 2 * std::acos(-1.0) * i / 4000;
+    fine.push_back({3 * std::cos(t), 2 * std::sin(t)});
+  }
+  const DomainInput input = sized(fine, 0.3, {});
+  const auto is_told = [&](const Options& options) {
+    const Outcome outcome = meshed(input, options);
+    Index count = 0;
+    for (const Warning& warning : outcome.report.warnings) {
+      count += warning.code == ErrorCode::adapted;
+      if (warning.code == ErrorCode::adapted)
+        CHECK(warning.message.find("simplify = 0.01") != std::string::npos);
+    }
+    CHECK(count <= 1);
+    return count == 1;
+  };
+  CHECK(is_told({}));
+  CHECK(is_told({.quads = 209}));
+  CHECK_FALSE(is_told({.simplify = 0.01}));
+  CHECK_FALSE(is_told({.size = 0.005}));
+  CHECK_FALSE(is_told({.size = 0.3, .keep_boundary = true}));
+}
