@@ -52,6 +52,10 @@ std::vector<Warning> idle_options(const RunFiles& files, const MeshArgs& args, b
   Idle idle(args.given);
   const Options& options = args.options;
   add_of_chain(options, seeds_given, !files.stages.empty(), idle);
+  idle.add((seeds_given || options.seeds != Seeds::isotropic) && options.method == Method::best &&
+               options.effort == Effort::normal,
+           "--seed",
+           "nothing is drawn at random. It goes with --seeds isotropic or --effort high.");
   idle.add(options.keep_boundary && options.simplify > 0, "--simplify",
            "a kept boundary keeps all its points.");
   idle.add(!options.keep_boundary && options.allow_added_point, "--allow-added-point",

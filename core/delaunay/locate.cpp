@@ -88,6 +88,20 @@ Locator::Locator(const TriMesh& mesh) : mesh_(&mesh) {
     for (Index t = 0; t < mesh.triangle_count(); ++t)
       for_cells_of(t, [&](Index cell) { emit(cell, t); });
   });
+  find_border();
+}
+
+void Locator::find_border() {
+  std::vector<Box> boxes;
+  for (Index t = 0; t < mesh_->triangle_count(); ++t) {
+    const auto& twins = mesh_->twins;
+    if (twins[3 * t] != none && twins[3 * t + 1] != none && twins[3 * t + 2] != none) continue;
+    border_.push_back(t);
+    Box box = empty_box();
+    for (const Index v : mesh_->triangles[t]) extend(box, mesh_->points[v]);
+    boxes.push_back(box);
+  }
+  border_boxes_ = BoxTree(boxes);
 }
 
 Index Locator::column_of(double x) const {
@@ -149,34 +163,22 @@ Index Locator::find_elsewhere(Vec2 p, Index& hint) const {
   return none;
 }
 
+// Nearest to what lies outside are triangles at the border.
 Index Locator::nearest(Vec2 p, Index& hint) const {
-  if (columns_ == 0) return none;
-  // q is the box's point nearest to p; the triangles beyond r rings of cells around q are at least
-  // r cells from q, and farther from p than that by Pythagoras.
-  const Vec2 q{std::clamp(p.x, origin_.x, corner_.x), std::clamp(p.y, origin_.y, corner_.y)};
-  const Index column = column_of(q.x), row = row_of(q.y);
+  constexpr double rounding = 1e-9;
+  double reach = std::numeric_limits<double>::infinity();
+  if (hint != none) reach = (1 + rounding) * squared_distance(*mesh_, hint, p);
   Index best = none;
-  double best_distance = std::numeric_limits<double>::infinity();
-  const auto look_into = [&](Index i, Index j) {
-    if (i < 0 || i >= columns_ || j < 0 || j >= rows_) return;
-    for (const Index t : near_.row(j * columns_ + i)) {
-      const double d = squared_distance(*mesh_, t, p);
-      if (d < best_distance || (d == best_distance && t < best)) {
-        best_distance = d;
-        best = t;
-      }
-    }
-  };
-  for (Index ring = 0; ring <= std::max(columns_, rows_); ++ring) {
-    for (Index j = row - ring; j <= row + ring; ++j) {
-      const bool whole = j == row - ring || j == row + ring;
-      for (Index i = column - ring; i <= column + ring; i += whole || ring == 0 ? 1 : 2 * ring) {
-        look_into(i, j);
-      }
-    }
-    const double reached = ring * cell_;
-    if (best != none && best_distance <= squared_length(p - q) + reached * reached) break;
-  }
+  border_boxes_.walk(
+      [&](Index, const Box& box) {
+        return squared_distance(box, {p, p}) <= reach;
+      },
+      [&](Index i) {
+        const double d = squared_distance(*mesh_, border_[i], p);
+        if (!(d < reach || (d == reach && (best == none || border_[i] < best)))) return;
+        reach = d;
+        best = border_[i];
+      });
   if (best != none) hint = best;
   return best;
 }

@@ -2,7 +2,10 @@
 // that run into a wall, so that no query is ever exhaustive.
 #pragma once
 
+#include <vector>
+
 #include "base/csr.h"
+#include "domain/box_tree.h"
 #include "geometry/predicates_inline.h"
 #include "mesh/tri_mesh.h"
 
@@ -21,7 +24,8 @@ inline bool contains(const TriMesh& mesh, Index t, Vec2 p) {
 /// search only when the straight walk is blocked, so keep hints near. Exact signs.
 Index locate(const TriMesh& mesh, Vec2 p, Index hint);
 
-/// A grid with the triangles that meet each cell, O(#T) to build.
+/// A grid with the triangles that meet each cell, and a tree of those at the border; about O(#T) to
+/// build.
 class Locator {
  public:
   Locator() = default;
@@ -40,6 +44,7 @@ class Locator {
  private:
   Index find_elsewhere(Vec2 p, Index& hint) const;
   Index nearest(Vec2 p, Index& hint) const;
+  void find_border();
   Index column_of(double x) const;
   Index row_of(double y) const;
   /// Calls visit(cell) for every cell that the triangle may meet.
@@ -50,7 +55,9 @@ class Locator {
   Vec2 origin_, corner_;  // of the grid's box
   double cell_ = 1;
   Index columns_ = 0, rows_ = 0;
-  Csr<Index> near_;  // columns x rows  triangles that meet the cell
+  Csr<Index> near_;            // columns x rows  triangles that meet the cell
+  std::vector<Index> border_;  // triangles with an edge there
+  BoxTree border_boxes_;       // of those
 };
 
 }  // namespace lpq

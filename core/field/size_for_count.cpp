@@ -39,14 +39,14 @@ Result<SizeForCount> size_for_count(double first, double largest, double wanted,
   return best;
 }
 
-Problem judge_count(const SizeForCount& found, double wanted) {
-  if (std::abs(found.quads - wanted) <= tolerable * wanted) return std::nullopt;
-  const bool more = found.quads > wanted;
+Problem judge_count(double quads, double wanted) {
+  if (std::abs(quads - wanted) <= tolerable * wanted) return std::nullopt;
+  const bool more = quads > wanted;
   return Error{ErrorCode::adapted,
-               "About " + short_number(std::round(found.quads)) + " quads instead of " +
+               "About " + short_number(std::round(quads)) + " quads instead of " +
                    short_number(wanted) + ": " +
                    (more ? "details, bends or sizes that are given ask for so many by themselves."
-                         : "sizes given do not leave room for more."),
+                         : "grids, outlines or sizes that are given come no nearer."),
                {}};
 }
 

@@ -18,7 +18,7 @@ struct SizeForCount {
 Result<SizeForCount> size_for_count(double first, double largest, double wanted,
                                     FunctionRef<Result<double>(double)> quads_of);
 
-/// What to say of it where it is no good answer; nothing where it is one.
-Problem judge_count(const SizeForCount& found, double wanted);
+/// What to say of so many where they are no good answer; nothing where they are one.
+Problem judge_count(double quads, double wanted);
 
 }  // namespace lpq

@@ -3,6 +3,7 @@
 // like the optimiser it repeats.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -38,7 +39,7 @@ class LpRestarts {
   LpStatus step(int n);
 
   LpStatus status() const { return open_ ? LpStatus::running : optimizer_.status(); }
-  int iterations() const { return static_cast<int>(energies_.size()) - 1; }
+  int iterations() const { return std::max(0, static_cast<int>(energies_.size()) - 1); }
   int max_iterations() const;
   const TriMesh& mesh() const { return optimizer_.mesh(); }  // its count changes with exchanges
   double energy() const { return optimizer_.energy(); }

@@ -17,6 +17,8 @@ constexpr int isotropic_iterations = 80;
 // have them.
 constexpr double smaller = 0.75, still_smaller = 0.6;
 constexpr int brief_iterations = 20;
+// Or edges of a kept boundary are long for the size: larger quads have fewer corners at them.
+constexpr double larger = 3;
 // Three quads per triangle halve its sides: the triangles are larger to begin with.
 constexpr double before_subdivision = 1.5;
 // Rounds of exchanging points: from an isotropic start four in five of what twice as many bring.
@@ -78,6 +80,7 @@ std::vector<Attempt> plan_attempts(const Options& options, const AttemptGrounds&
     attempts.push_back(
         {.seeds = Seeds::isotropic, .iterations = brief_iterations, .size_factor = still_smaller});
     attempts.push_back({.seeds = Seeds::aligned, .cut_darts = true});
+    attempts.push_back({.seeds = Seeds::aligned, .size_factor = larger});
   } else {
     attempts.push_back(
         {.seeds = Seeds::isotropic, .size_factor = before_subdivision, .subdivide = true});

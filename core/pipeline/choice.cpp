@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "field/size_for_count.h"
 #include "pipeline/finish.h"
 #include "pipeline/mesher.h"
 #include "pipeline/shape_options.h"
@@ -18,12 +19,22 @@ constexpr double least_eta = 0.2;
 constexpr double low_cost = 0.012;
 // At least this share of it is left by all iterations of smoothing but the first.
 constexpr double least_left = 0.75;
+// Of a number of quads that is asked for: a tenth more or less counts as 0.02 of mean eta.
+constexpr double count_weight = 0.2;
+
+/// By how much the larger of the two exceeds the other.
+double off_count(Index quads, int wanted) {
+  if (quads == 0) return 1;
+  const double ratio = static_cast<double>(quads) / wanted;
+  return std::max(ratio, 1 / ratio) - 1;
+}
 
 /// What is lacking in shape, regular vertices and size: less is better.
 double cost_of(const Report& report, const Options& options) {
   const QuadQuality& quality = report.quality;
   return 1 - quality.eta_mean + 0.01 * (100 - quality.four_valent_percent) +
-         std::max(0.0, least_eta - quality.eta_min) + options.size_weight * report.size.off;
+         std::max(0.0, least_eta - quality.eta_min) + options.size_weight * report.size.off +
+         (options.quads > 0 ? count_weight * off_count(quality.quads, options.quads) : 0);
 }
 
 /// Fewer triangles come first, but where they may stay.
@@ -31,6 +42,13 @@ bool is_better(const Report& a, const Report& b, const Options& options) {
   if (options.elements != Elements::quad_dominant && a.quality.triangles != b.quality.triangles)
     return a.quality.triangles < b.quality.triangles;
   return cost_of(a, options) < cost_of(b, options);
+}
+
+Warning another_chain(const Error& failure) {
+  return {ErrorCode::adapted,
+          "What is tried first did not pass the final check here. This mesh was made in another "
+          "way, and may be poorer.",
+          failure.where};
 }
 
 }  // namespace
@@ -82,10 +100,15 @@ bool Mesher::lags_behind() const {
 // attempt.
 Stage Mesher::go_on() {
   if (comparing_) return stage_ = Stage::done;
+  if (kept_ && kept_->attempt != attempt_) come_back();
   const bool is_wanted =
       !kept_ || (attempt_ + 1 < attempts_.size() && attempts_[attempt_ + 1].alternative &&
                  cost_of(kept_->report, options_) > low_cost);
   if (!is_wanted) return begin_annealing() ? stage_ : take_kept();
+  if (kept_) {
+    kept_->triangles = triangles_;
+    kept_->trace = trace_;
+  }
   ++attempt_;
   return begin_attempt();
 }
@@ -93,35 +116,25 @@ Stage Mesher::go_on() {
 Stage Mesher::begin_attempt() {
   optimizer_.reset();
   patches_.reset();
+  if (trace_ && kept_ && attempt().grid == Grid::no) keep_trace();  // of this chain alone
   return stage_ = attempt().at_once ? Stage::compare : Stage::seeds;
 }
 
 Result<Stage> Mesher::next_attempt(const Error& failure) {
   if (kept_) return go_on();  // the annealed mesh failed, or an alternative
-  Warning warning = failure;
-  warning.message = "The chain '" + report_.chain + "' did not pass: " + failure.message;
-  report_.warnings.push_back(warning);
-  if (!comparing_ && attempt_ + 1 == attempts_.size()) return failure;
+  if (!first_failure_) first_failure_ = failure;
+  if (!comparing_ && attempt_ + 1 == attempts_.size()) return *first_failure_;
   ++report_.attempts;
   return go_on();
 }
 
-// A whole attempt. Unless its mesh is the best, all is as it was before then.
+// A whole attempt.
 Result<Stage> Mesher::compare() {
-  const bool is_chain = attempt().grid == Grid::no;  // grids go on from the triangles
-  TriMesh triangles = is_chain ? triangles_ : TriMesh();
-  std::optional<Trace> trace = trace_;
-  if (trace_ && is_chain) keep_trace();
   comparing_ = true;
   Result<Stage> stage = stage_ = Stage::seeds;
   while (stage && stage_ != Stage::done) stage = step();
   comparing_ = false;
   if (!stage) return stage;
-  if (!kept_ || kept_->attempt != attempt_) {
-    if (is_chain) triangles_ = std::move(triangles);
-    trace_ = std::move(trace);
-    if (kept_) show_kept();
-  }
   return go_on();
 }
 
@@ -134,6 +147,13 @@ bool Mesher::begin_annealing() {
   patches_.emplace(quads_, *fields_, annealing_options(options_));
   stage_ = Stage::patch;
   return true;
+}
+
+// From an alternative that was no better.
+void Mesher::come_back() {
+  triangles_ = kept_->triangles;
+  trace_ = kept_->trace;
+  show_kept();
 }
 
 void Mesher::show_kept() {
@@ -150,9 +170,14 @@ Stage Mesher::take_kept() {
   if (trace_ && trace_->quads.back().mesh.points != kept_->quads.points)
     trace_->quads.push_back({"kept", kept_->quads});
   show_kept();
-  for (Warning& warning : tell_poor_quads(output_)) report_.warnings.push_back(std::move(warning));
-  if (options_.elements == Elements::one_triangle)
-    for (Warning& warning : tell_triangles(output_)) report_.warnings.push_back(std::move(warning));
+  const auto tell = [this](std::vector<Warning> warnings) {
+    for (Warning& warning : warnings) report_.warnings.push_back(std::move(warning));
+  };
+  if (prepared_->seeks_count)
+    if (const Problem off = judge_count(report_.quality.quads, options_.quads)) tell({*off});
+  if (first_failure_) tell({another_chain(*first_failure_)});
+  tell(tell_poor_quads(output_));
+  if (options_.elements == Elements::one_triangle) tell(tell_triangles(output_));
   return stage_ = Stage::done;
 }
 

@@ -10,6 +10,7 @@
 #include "base/hash.h"
 #include "base/words.h"
 #include "geometry/box.h"
+#include "geometry/segment.h"
 #include "mesh/quality.h"
 
 namespace lpq {
@@ -58,6 +59,27 @@ double gap_at(const OutputMesh& mesh, Vec2 place) {
   return gap < nothing * longer_side(box_of(mesh.points)) ? gap : 0;
 }
 
+/// Longer than the quads around are by far. Cost O(#E + #F).
+bool is_beside_long_edge(const OutputMesh& mesh, Vec2 place) {
+  constexpr double far = 3;
+  double nearest = HUGE_VAL, edge = 0;
+  for (const OutputEdge& e : mesh.edges) {
+    const Vec2 a = mesh.points[e.a], b = mesh.points[e.b];
+    const double away = squared_length(closest_point(place, a, b) - place);
+    if (away < nearest) nearest = away, edge = distance(a, b);
+  }
+  std::vector<double> sides;  // of faces no farther than the edge is long
+  for (const Face& face : mesh.faces) {
+    if (!(distance(centre_of(mesh.points, face), place) < edge)) continue;
+    for (int k = 0, n = corner_count(face); k < n; ++k)
+      sides.push_back(distance(mesh.points[face[k]], mesh.points[face[(k + 1) % n]]));
+  }
+  if (sides.empty()) return false;
+  const auto middle = sides.begin() + static_cast<std::ptrdiff_t>(sides.size() / 2);
+  std::nth_element(sides.begin(), middle, sides.end());
+  return edge > far * *middle;
+}
+
 bool has_short_side(const std::vector<Vec2>& points, const Face& quad, double share) {
   double least = HUGE_VAL, greatest = 0;
   for (int k = 0; k < 4; ++k) {
@@ -78,8 +100,12 @@ void tell_quads(const OutputMesh& mesh, const std::string& what,
   if (count == 0) return;
   warnings.push_back({ErrorCode::bad_size,
                       "Quads with " + what + ": " + std::to_string(count) +
-                          ". The first has an angle or an edge of the boundary beside it that is "
-                          "small for the size. Mend it, or use a smaller size.",
+                          (is_beside_long_edge(mesh, first)
+                               ? ". The first lies beside an edge of the boundary that is long for "
+                                 "the size. Divide it, let the boundary be refined instead of "
+                                 "kept, or use a larger size."
+                               : ". The first has an angle or an edge of the boundary beside it "
+                                 "that is small for the size. Mend it, or use a smaller size."),
                       {}});
   warnings.back().where.set_point(first.x, first.y);
 }
@@ -144,8 +170,9 @@ Error no_valid_mesh(const OutputMesh& mesh, const std::vector<Violation>& violat
     return error;
   }
   error.code = ErrorCode::no_valid_mesh;
-  error.message = "No valid mesh was found: " + first.what +
-                  " Try a smaller size, or let the boundary be refined instead of kept.";
+  error.message = "No valid mesh was found: " + first.what + " Try a " +
+                  (is_beside_long_edge(mesh, first.point) ? "larger" : "smaller") +
+                  " size, or let the boundary be refined instead of kept.";
   return error;
 }
 

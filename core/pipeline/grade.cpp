@@ -107,8 +107,7 @@ Result<Graded> grade(const Domain& domain, const Options& options, const UserFie
     if (Problem problem = stretch_spacing(domain.frame, user, *boundary))
       return std::move(*problem);
   return Graded{std::move(*boundary),
-                field_options(domain.frame, user, size, growth, options.max_elements),
-                {}};
+                field_options(domain.frame, user, size, growth, options.max_elements)};
 }
 
 // Between two slopes the number of quads goes about as 1/slope.
@@ -164,7 +163,7 @@ Result<Counted> size_by_count(const Domain& domain, const Options& options, cons
   const double largest = diagonal(box_of(domain.points));
   auto found = size_for_count(first, largest, options.quads, quads_of);
   if (found && options.growth == 0 && found->quads > options.quads &&
-      judge_count(*found, options.quads)) {
+      judge_count(found->quads, options.quads)) {
     counted.growth = steep_growth;
     found = size_for_count(first, largest, options.quads, quads_of);
   }
@@ -184,10 +183,7 @@ Result<Graded> grade_for_count(const Domain& domain, const Options& options, con
                                double first) {
   const auto counted = size_by_count(domain, options, user, first);
   if (!counted) return counted.error();
-  auto graded = grade_with(domain, options, user, counted->size.size, counted->growth);
-  if (!graded) return graded;
-  graded->off_count = judge_count(counted->size, options.quads);
-  return graded;
+  return grade_with(domain, options, user, counted->size.size, counted->growth);
 }
 
 }  // namespace lpq

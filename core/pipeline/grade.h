@@ -12,7 +12,6 @@ namespace lpq {
 struct Graded {
   BoundaryMesh boundary;
   FieldOptions fields;
-  Problem off_count;  // a number of quads that cannot be had
 };
 
 /// For this size in the unit frame; 0: that of the kept boundary's spacing. How fast sizes grow is

@@ -67,46 +67,40 @@ std::vector<Vec2> sizes_without_effect(const UserFields& user, const UnitFrame& 
   return idle;
 }
 
-}  // namespace
-
-std::vector<Warning> idle_sizes(const UserFields& user, const UnitFrame& frame,
-                                const BoundaryMesh& boundary, const FieldOptions& options,
+std::vector<Vec2> seeds_outside(const UserFields& user, const UnitFrame& frame,
                                 const Fields& fields) {
-  if (user.size || user.sizes.empty()) return {};
-  const std::vector<Vec2> idle = sizes_without_effect(user, frame, boundary, options, fields);
-  if (idle.empty()) return {};
-  return {warning_of(idle.size(), user.sizes.size(), "sizes at points",
-                     ", too far away to matter in it", idle.front())};
-}
-
-std::vector<Warning> idle_guides(const UserFields& user, const FieldOptions& options,
-                                 const Fields& fields) {
-  if (user.angle) return {};
-  const std::vector<Index> idle = guides_outside(options.guides, fields.background, fields.h);
-  if (idle.empty()) return {};
-  const Index first = idle.front();
-  Warning warning =
-      warning_of(idle.size(), user.guides.size(), "guides", "", user.guides[first].front());
-  warning.where.guide = first;
-  return {std::move(warning)};
-}
-
-bool fields_are_ours(const UserFields& user, const UnitFrame& frame, const BoundaryMesh& boundary,
-                     const FieldOptions& options, const Fields& fields) {
-  if (has_function(user)) return false;
-  return sizes_without_effect(user, frame, boundary, options, fields).size() == user.sizes.size() &&
-         guides_outside(options.guides, fields.background, fields.h).size() == user.guides.size();
-}
-
-std::vector<Warning> idle_seeds(const UserFields& user, const UnitFrame& frame,
-                                const Fields& fields) {
-  std::vector<Vec2> idle;
+  std::vector<Vec2> outside;
   Index hint = none;
   for (const Vec2 seed : user.seeds)
     if (!is_within_reach(seed, frame) || distance_outside(fields, frame.to_frame(seed), hint) > 0)
-      idle.push_back(seed);
-  if (idle.empty()) return {};
-  return {warning_of(idle.size(), user.seeds.size(), "start points", "", idle.front())};
+      outside.push_back(seed);
+  return outside;
+}
+
+}  // namespace
+
+IdleInputs idle_inputs(const UserFields& user, const UnitFrame& frame, const BoundaryMesh& boundary,
+                       const FieldOptions& options, const Fields& fields) {
+  IdleInputs idle;
+  std::vector<Vec2> sizes;
+  std::vector<Index> guides;
+  if (!user.size) sizes = sizes_without_effect(user, frame, boundary, options, fields);
+  if (!user.angle) guides = guides_outside(options.guides, fields.background, fields.h);
+  if (!sizes.empty())
+    idle.warnings.push_back(warning_of(sizes.size(), user.sizes.size(), "sizes at points",
+                                       ", too far away to matter in it", sizes.front()));
+  if (!guides.empty()) {
+    const Index first = guides.front();
+    idle.warnings.push_back(
+        warning_of(guides.size(), user.guides.size(), "guides", "", user.guides[first].front()));
+    idle.warnings.back().where.guide = first;
+  }
+  if (const std::vector<Vec2> seeds = seeds_outside(user, frame, fields); !seeds.empty())
+    idle.warnings.push_back(
+        warning_of(seeds.size(), user.seeds.size(), "start points", "", seeds.front()));
+  idle.decide_on_fields =
+      has_function(user) || sizes.size() < user.sizes.size() || guides.size() < user.guides.size();
+  return idle;
 }
 
 }  // namespace lpq

@@ -10,23 +10,16 @@
 
 namespace lpq {
 
-/// A size outside the domain grows on its way in, as a field of distances would. Those are idle
-/// that have grown beyond the size that is asked for anyway where they arrive; none where a
-/// function of sizes wins over them. `options` are those that made `fields`.
-std::vector<Warning> idle_sizes(const UserFields& user, const UnitFrame& frame,
-                                const BoundaryMesh& boundary, const FieldOptions& options,
-                                const Fields& fields);
+struct IdleInputs {
+  std::vector<Warning> warnings;  // at most one for sizes, guides, start points each
+  bool decide_on_fields = false;  // are there others, or functions, that do something?
+};
 
-/// Guides that no part of the domain follows; none where a function of directions wins over them.
-std::vector<Warning> idle_guides(const UserFields& user, const FieldOptions& options,
-                                 const Fields& fields);
-
-/// Is there nothing of the caller's that decides on sizes or directions?
-bool fields_are_ours(const UserFields& user, const UnitFrame& frame, const BoundaryMesh& boundary,
-                     const FieldOptions& options, const Fields& fields);
-
-/// Start points outside, which are left out.
-std::vector<Warning> idle_seeds(const UserFields& user, const UnitFrame& frame,
-                                const Fields& fields);
+/// A size outside the domain grows on its way in, as a field of distances would: those are idle
+/// that have grown beyond the size that is asked for anyway where they arrive. Guides are that no
+/// part of the domain follows, start points that are outside. What a function stands in for is not
+/// looked at. `options` are those that made `fields`.
+IdleInputs idle_inputs(const UserFields& user, const UnitFrame& frame, const BoundaryMesh& boundary,
+                       const FieldOptions& options, const Fields& fields);
 
 }  // namespace lpq

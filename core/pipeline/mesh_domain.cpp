@@ -33,7 +33,8 @@ Result<Outcome> mesh_domain(const DomainInput& input, const Options& options, Mo
   }
   if (trace != nullptr) {
     *trace = *mesher->trace();
-    trace->iterates = log.take();
+    const bool optimised = !mesher->report().energy_history.empty();
+    if (optimised) trace->iterates = log.take();  // of another chain, if not
   }
   return Outcome{mesher->output(), mesher->report()};
 }

@@ -70,8 +70,10 @@ Result<Mesher> Mesher::start(const DomainInput& input, const Options& options,
   return mesher;
 }
 
+// Where the energy of the start is not finite, there is none.
 double Mesher::gradient_norm() const {
-  return optimizer_ ? optimizer_->gradient_norm_history().back() : 0;
+  if (!optimizer_ || optimizer_->gradient_norm_history().empty()) return 0;
+  return optimizer_->gradient_norm_history().back();
 }
 
 const UnitFrame& Mesher::frame() const { return prepared_->domain.frame; }
@@ -102,6 +104,7 @@ Result<Stage> Mesher::step(int iterations) {
 
 Result<Stage> Mesher::make_seeds() {
   const StageTimer timer(report_.times, "seeds");
+  report_ = without_attempt(std::move(report_));
   const BoundaryMesh& nodes = boundary();
   fields_ = attempt().size_factor == 1
                 ? std::shared_ptr<const Fields>(prepared_, &prepared_->fields)
@@ -110,8 +113,9 @@ Result<Stage> Mesher::make_seeds() {
   if (attempt().grid != Grid::no) return lay_grid();
   auto chosen = choose_seeds();
   if (!chosen) {
-    if (kept_) return go_on();
-    return chosen.error();
+    // What is asked for is too much; a smaller size may be, where it is not.
+    if (attempt_ == 0) return chosen.error();
+    return next_attempt(chosen.error());
   }
   seeds_ = std::move(*chosen);
   report_.seeds = static_cast<Index>(seeds_.size());
@@ -152,9 +156,6 @@ Result<Stage> Mesher::lay_grid() {
   gave_up_ = true;
   smoothed_ = 0;
   report_.chain = start_name(attempt());
-  report_.seeds = report_.extra_edges = 0;
-  report_.expected_seeds = report_.tau = 0;
-  report_.matching_cost = 0;
   return stage_ = Stage::smooth;
 }
 

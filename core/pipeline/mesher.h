@@ -70,6 +70,9 @@ class Mesher {
     Index triangles_left = 0;
     bool gave_up = false;
     std::size_t attempt = 0;
+    // once there is something to compare with
+    TriMesh triangles = {};
+    std::optional<Trace> trace = {};
   };
 
   const Attempt& attempt() const { return attempts_[attempt_]; }
@@ -92,6 +95,7 @@ class Mesher {
   void keep_better(Candidate candidate);
   bool lags_behind() const;
   Stage go_on();
+  void come_back();
   void show_kept();
   Stage take_kept();
 
@@ -114,6 +118,7 @@ class Mesher {
   OutputMesh output_;
   Report report_;
   std::optional<Candidate> kept_;
+  Problem first_failure_;  // of the chain that was asked for
   std::optional<Trace> trace_;
 };
 

@@ -10,6 +10,7 @@
 #include "pipeline/fine_outline.h"
 #include "pipeline/grade.h"
 #include "pipeline/idle_inputs.h"
+#include "pipeline/resolution.h"
 #include "pipeline/user_fields.h"
 
 namespace lpq {
@@ -17,23 +18,11 @@ namespace {
 
 // A domain that comes without any size gets about this many quads.
 constexpr double default_quads = 1000;
-// A mesh size of fewer steps between neighbouring coordinates leaves no room for shapes.
-constexpr double least_steps = 16;
 constexpr double least_growth = 0.01;
 
 Error size_error(std::string message) { return {ErrorCode::bad_size, std::move(message), {}}; }
 
 double diagonal(const Domain& domain) { return diagonal(box_of(domain.points)); }
-
-// The distance, in the unit frame, of neighbouring doubles among the caller's coordinates.
-double coordinate_step(const Domain& domain) {
-  double largest = 0;
-  for (const Vec2 p : domain.points) {
-    const Vec2 world = domain.frame.to_world(p);
-    largest = std::max({largest, std::abs(world.x), std::abs(world.y)});
-  }
-  return domain.frame.length_to_frame(largest) * std::numeric_limits<double>::epsilon();
-}
 
 // The constant target in the unit frame; 0 means: follow the kept boundary's spacing. Of a number
 // of quads it is where the search for their size begins.
@@ -70,13 +59,8 @@ Result<double> judge_size(const Domain& domain, const Options& options) {
   const double estimate = size > 0 ? domain.area / (size * size) : 0;
   if (estimate > options.max_elements) return too_many_elements(estimate, options.max_elements);
   if (const auto beyond = judge_scale(domain, size)) return *beyond;
-  if (size > 0 && size < least_steps * coordinate_step(domain))
-    return Error{
-        ErrorCode::lost_precision,
-        "Beside coordinates this far from the origin, doubles cannot hold a mesh of size " +
-            short_number(domain.frame.length_to_world(size)) +
-            ". Move the domain closer to the origin, or use a larger size.",
-        {}};
+  if (size > 0 && size < least_resolved(domain))
+    return unresolved_size(domain.frame.length_to_world(size));
   return size;
 }
 
@@ -97,15 +81,30 @@ UserFields with_those_of(const DomainInput& input, UserFields user) {
   return user;
 }
 
-/// Of a number of quads that is far from what is asked for, and of what a person can do about it.
-std::vector<Warning> count_warnings(const Preparation& prepared, const Graded& graded,
-                                    const Options& options, const UserFields& user, double size) {
-  if (!options.keep_boundary && options.simplify == 0 && user.sizes.empty() && !user.size) {
-    auto warnings = tell_fine_outline(prepared.domain, size, cell_capacity(prepared.fields));
-    if (!warnings.empty()) return warnings;
-  }
-  if (graded.off_count) return {*graded.off_count};
-  return {};
+/// Where an outline alone asks for many.
+std::vector<Warning> outline_warnings(const Preparation& prepared, const Options& options,
+                                      const UserFields& user, double size) {
+  if (options.keep_boundary || options.simplify > 0 || !user.sizes.empty() || user.size) return {};
+  return tell_fine_outline(prepared.domain, size, cell_capacity(prepared.fields));
+}
+
+/// What the caller is told of the inputs, and what it means for what comes next.
+void add_notes(Preparation& prepared, const FieldOptions& fields, const Options& options,
+               const UserFields& user, double size) {
+  const auto tell = [&](std::vector<Warning> warnings) {
+    for (Warning& warning : warnings) prepared.boundary.warnings.push_back(std::move(warning));
+  };
+  std::vector<Warning> of_outline = outline_warnings(prepared, options, user, size);
+  prepared.seeks_count = options.quads > 0 && !user.size && of_outline.empty();
+  tell(std::move(of_outline));
+  IdleInputs idle =
+      idle_inputs(user, prepared.domain.frame, prepared.boundary, fields, prepared.fields);
+  tell(std::move(idle.warnings));
+  prepared.own_fields = !idle.decide_on_fields;
+  if (options.quads > 0 && user.size)
+    tell({{ErrorCode::ignored,
+           "The number of quads has no effect here: a function gives the sizes.",
+           {}}});
 }
 
 }  // namespace
@@ -143,19 +142,7 @@ Result<Preparation> prepare(const DomainInput& input, const Options& options,
   auto fields = make_fields(prepared.boundary, graded->fields);
   if (!fields) return in_world(fields.error(), frame);
   prepared.fields = std::move(*fields);
-  const auto tell = [&](std::vector<Warning> warnings) {
-    for (Warning& warning : warnings) prepared.boundary.warnings.push_back(std::move(warning));
-  };
-  tell(count_warnings(prepared, *graded, options, given, *size));
-  tell(idle_sizes(given, frame, prepared.boundary, graded->fields, prepared.fields));
-  tell(idle_guides(given, graded->fields, prepared.fields));
-  tell(idle_seeds(given, frame, prepared.fields));
-  if (options.quads > 0 && given.size)
-    tell({{ErrorCode::ignored,
-           "The number of quads has no effect here: a function gives the sizes.",
-           {}}});
-  prepared.own_fields =
-      fields_are_ours(given, frame, prepared.boundary, graded->fields, prepared.fields);
+  add_notes(prepared, graded->fields, options, given, *size);
   for (const Vec2 seed : given.seeds) prepared.seeds.push_back(frame.to_frame(seed));
   return prepared;
 }

@@ -12,8 +12,9 @@ struct Preparation {
   Domain domain;
   BoundaryMesh boundary;
   Fields fields;
-  std::vector<Vec2> seeds;  // the caller's, unit frame; empty = the method's own
-  bool own_fields = true;   // neither sizes nor directions are the caller's
+  std::vector<Vec2> seeds;   // the caller's, unit frame; empty = the method's own
+  bool seeks_count = false;  // of quads, which is judged in the end
+  bool own_fields = true;    // neither sizes nor directions are the caller's
 };
 
 /// Judges input and options, makes the 1D mesh and both fields.

@@ -2,6 +2,7 @@
 #include "pipeline/report.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace lpq {
 
@@ -16,6 +17,18 @@ SizeFidelity size_fidelity(std::vector<double> ratios) {
           .min = ratios.front(),
           .max = ratios.back(),
           .off = off / static_cast<double>(ratios.size())};
+}
+
+Report without_attempt(Report report) {
+  Report whole;
+  whole.boundary_nodes = report.boundary_nodes;
+  whole.boundary_edges = report.boundary_edges;
+  whole.singularities = std::move(report.singularities);
+  whole.attempts = report.attempts;
+  whole.simplify_deviation = report.simplify_deviation;
+  whole.times = std::move(report.times);
+  whole.warnings = std::move(report.warnings);
+  return whole;
 }
 
 }  // namespace lpq

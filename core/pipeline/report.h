@@ -51,4 +51,7 @@ struct Report {
   std::vector<Warning> warnings;
 };
 
+/// What holds for the run as a whole, whatever chain of stages makes the mesh.
+Report without_attempt(Report report);
+
 }  // namespace lpq

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "base/words.h"
+#include "geometry/box.h"
+#include "pipeline/resolution.h"
 
 namespace lpq {
 namespace {
@@ -18,15 +20,27 @@ constexpr double points_beside_quads = 1e5, points_per_quad = 0.02;
 
 bool is_size(double h) { return std::isfinite(h) && h > 0; }
 
-Problem judge_sizes(const std::vector<UserFields::SizeAt>& sizes) {
+/// Sizes grow on their way in.
+bool is_outside(const Box& box, const UnitFrame& frame, Vec2 position) {
+  const Vec2 p = frame.to_frame(position);
+  return !(p.x >= box.lo.x && p.x <= box.hi.x && p.y >= box.lo.y && p.y <= box.hi.y);
+}
+
+Problem judge_sizes(const std::vector<UserFields::SizeAt>& sizes, const Domain& domain) {
+  const double least = domain.frame.length_to_world(least_resolved(domain));
+  const Box box = box_of(domain.points);
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     const UserFields::SizeAt& size = sizes[i];
     if (!is_finite(size.position))
       return Error{ErrorCode::non_finite,
                    "The place of size " + std::to_string(i) + " is not a pair of finite numbers.",
                    {}};
-    if (is_size(size.h)) continue;
-    Error error{ErrorCode::bad_size, "A mesh size given at a point must be a positive number.", {}};
+    if (is_size(size.h) && (size.h >= least || is_outside(box, domain.frame, size.position)))
+      continue;
+    Error error = is_size(size.h) ? unresolved_size(size.h)
+                                  : Error{ErrorCode::bad_size,
+                                          "A mesh size given at a point must be a positive number.",
+                                          {}};
     error.where.set_point(size.position.x, size.position.y);
     return error;
   }
@@ -85,7 +99,7 @@ bool is_within_reach(Vec2 point, const UnitFrame& frame) {
 bool has_function(const UserFields& user) { return user.size || user.angle || user.stretch; }
 
 Problem judge_user_fields(const UserFields& user, const Domain& domain, double max_elements) {
-  if (Problem problem = judge_sizes(user.sizes)) return problem;
+  if (Problem problem = judge_sizes(user.sizes, domain)) return problem;
   for (std::size_t g = 0; g < user.guides.size(); ++g)
     if (Problem problem = judge_guide(user.guides[g], static_cast<Index>(g), domain.frame))
       return problem;

@@ -15,5 +15,8 @@ inline constexpr std::int64_t surplus_quad_cost = 4000;   // per quad that a wal
 inline constexpr std::int64_t inner_valence_cost = 2000;  // per quad off four at a vertex inside
 inline constexpr std::int64_t extra_edge_cost = 60000;    // dearer than several bad quads
 inline constexpr std::int64_t leave_cost = 5000;  // a triangle left over, where that is allowed
+// There, what a quad that is missing at a fan may cost a merge: triangles fill the fan as well, and
+// at more than their price all would stay.
+inline constexpr std::int64_t most_beside_triangles = 2000;
 
 }  // namespace lpq

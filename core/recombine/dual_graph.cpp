@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mesh/quality.h"
 #include "recombine/costs.h"
@@ -9,6 +10,8 @@
 
 namespace lpq {
 namespace {
+
+constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
 
 /// Cost per quad of missing the ideal number at a fan.
 std::int64_t valence_cost(const Fan& fan, Index quads) {
@@ -19,21 +22,23 @@ std::int64_t valence_cost(const Fan& fan, Index quads) {
 
 /// A merge across an edge at the fan's vertex takes one quad away from it. The cost of the number
 /// of quads is not linear in the merges, so each merge pays the mean slope between none and all.
-std::int64_t merge_slope(const Fan& fan) {
+std::int64_t merge_slope(const Fan& fan, std::int64_t most) {
   const Index all = fan.triangles / 2;
   if (all == 0) return 0;
-  return (valence_cost(fan, fan.triangles - all) - valence_cost(fan, fan.triangles)) / all;
+  return std::min(
+      most, (valence_cost(fan, fan.triangles - all) - valence_cost(fan, fan.triangles)) / all);
 }
 
 void add_merges(const TriMesh& mesh, const Fans& fans, const Fields& fields,
-                double alignment_weight, DualGraph& graph) {
+                double alignment_weight, std::int64_t steepest, DualGraph& graph) {
   for (Index t = 0; t < mesh.triangle_count(); ++t) {
     Index hint = none;
     for (Index e = 3 * t; e < 3 * t + 3; ++e) {
       if (mesh.twins[e] == none || triangle_of(mesh.twins[e]) <= t) continue;
-      const std::int64_t cost = pair_cost(mesh, e, fields, alignment_weight, hint) +
-                                merge_slope(fans.list[fans.of_corner[e]]) +
-                                merge_slope(fans.list[fans.of_corner[next_in_triangle(e)]]);
+      const std::int64_t cost =
+          pair_cost(mesh, e, fields, alignment_weight, hint) +
+          merge_slope(fans.list[fans.of_corner[e]], steepest) +
+          merge_slope(fans.list[fans.of_corner[next_in_triangle(e)]], steepest);
       graph.edges.push_back({t, triangle_of(mesh.twins[e]), cost});
       graph.source.push_back(e);
     }
@@ -105,7 +110,9 @@ DualGraph make_dual_graph(const TriMesh& mesh, const Fans& fans, const Fields& f
                           double alignment_weight, Leave leave) {
   DualGraph graph;
   graph.nodes = mesh.triangle_count();
-  add_merges(mesh, fans, fields, alignment_weight, graph);
+  const bool may_leave = leave == Leave::where_cheaper;
+  add_merges(mesh, fans, fields, alignment_weight, may_leave ? most_beside_triangles : no_limit,
+             graph);
   switch (leave) {
     case Leave::one_per_odd_part:
       add_extra_edges(mesh, fans, graph);

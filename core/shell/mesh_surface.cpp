@@ -162,7 +162,7 @@ class SurfaceMesher::Run {
     const auto found =
         size_for_count(h, bounding_diagonal(surface().points), options_.quads, quads_of);
     if (!found) return found.error();
-    if (Problem poor = judge_count(*found, options_.quads))
+    if (Problem poor = judge_count(found->quads, options_.quads))
       outcome_.report.warnings.push_back(std::move(*poor));
     if (found->size == h) return std::nullopt;
     h = found->size;

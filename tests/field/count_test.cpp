@@ -36,7 +36,7 @@ TEST_CASE("a size is found for a number of quads, whatever the walls ask for") {
       CHECK(std::abs(answer.quads - 1000) <= 10);
       CHECK(std::abs(own + 8 / (answer.size * answer.size) - answer.quads) < 1e-9);
       CHECK(counted.calls <= 8);
-      CHECK_FALSE(judge_count(answer, 1000));
+      CHECK_FALSE(judge_count(answer.quads, 1000));
     }
 }
 
@@ -45,7 +45,7 @@ TEST_CASE("what asks for more by itself gets the largest size, and is told") {
   const SizeForCount answer = found(counted, 0.1, 1000);
   CHECK(answer.size > 0.5 * largest);
   CHECK(answer.size <= largest);
-  const Problem told = judge_count(answer, 1000);
+  const Problem told = judge_count(answer.quads, 1000);
   REQUIRE(told);
   CHECK(told->code == ErrorCode::adapted);
   CHECK(told->message.find("About 5000 quads instead of 1000") == 0);
@@ -53,7 +53,7 @@ TEST_CASE("what asks for more by itself gets the largest size, and is told") {
 
 TEST_CASE("sizes that leave nothing to choose are told") {
   Counted counted{100, 0};
-  const Problem told = judge_count(found(counted, 0.1, 1000), 1000);
+  const Problem told = judge_count(found(counted, 0.1, 1000).quads, 1000);
   REQUIRE(told);
   CHECK(told->message.find("100 quads instead of 1000") != std::string::npos);
 }

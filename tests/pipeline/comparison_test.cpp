@@ -162,3 +162,37 @@ TEST_CASE("a trace is that of the mesh that is kept") {
     CHECK(tau(trace.triangles) == outcome->report.tau);
   }
 }
+
+TEST_CASE("a trace and a report know nothing of L_p where the chain without it is kept") {
+  const DomainInput input = domain_of({polygon(1, 6)});
+  int with = 0, without = 0;
+  for (const int quads : {60, 150, 300, 600}) {
+    Trace trace;
+    const auto outcome = mesh_domain(input, {.quads = quads, .iterations = 10}, {}, &trace);
+    REQUIRE(outcome);
+    const Report& report = outcome->report;
+    const bool optimised = report.chain.find("L_p") != std::string::npos;
+    ++(optimised ? with : without);
+    CHECK(report.energy_history.empty() == !optimised);
+    CHECK(trace.iterates.empty() == !optimised);
+    CHECK(tau(trace.triangles) == report.tau);
+    std::int64_t cost = 0;
+    for (const CostEdge& edge : trace.graph)
+      if (trace.matching.mate[edge.u] == edge.v) cost += edge.cost;
+    CHECK(cost == report.matching_cost);
+  }
+  CHECK(without > 0);
+}
+
+TEST_CASE("a grid with far fewer quads than are asked for is not the better mesh") {
+  DomainInput input = domain_of({{{0, 0}, {2, 0}, {2, 1}, {0, 1}}});
+  Loop hole = polygon(0.2, 24);
+  for (Vec2& p : hole) p = p + Vec2{1, 0.5};
+  input.regions[0].loops.push_back(hole);
+  for (const int quads : {200, 300, 500, 800}) {
+    const Report report = meshed(input, {.quads = quads}).report;
+    INFO(quads << ": " << report.quality.quads);
+    CHECK(std::abs(report.quality.quads - quads) <= 0.2 * quads);
+    CHECK(report.warnings.empty());
+  }
+}

@@ -109,6 +109,46 @@ TEST_CASE("where points of the boundary all but coincide, that is why there is n
   CHECK(told({0.55, 0.5}).code == ErrorCode::no_valid_mesh);
 }
 
+TEST_CASE("a fallback that would need too many elements does not hide the ones after it") {
+  // The dart has a mesh only once quads may be cut; before that smaller sizes are tried.
+  DomainInput input = domain_of({{{0.07506245432243641, 0.09769340827937052},
+                                  {-0.8776261113230013, 0.4340306028241725},
+                                  {-0.0931017031594634, -0.29259320277150114},
+                                  {-0.07166958583514722, -0.3965852933124271}}});
+  const DomainInput square_beside = square(1, 0.025);
+  input.regions.push_back(square_beside.regions[0]);
+  for (Vec2& p : input.regions[1].loops[0]) p = p + Vec2{3, 0};
+  const auto outcome = mesh_domain(input, {.keep_boundary = true, .max_elements = 2000});
+  REQUIRE(outcome);
+  CHECK(check_output(outcome->mesh).empty());
+  CHECK(outcome->report.attempts > 1);
+  CHECK(outcome->report.energy_history.empty() ==
+        (outcome->report.chain.find("L_p") == std::string::npos));
+  Index adapted = 0;
+  for (const Warning& warning : outcome->report.warnings)
+    adapted += warning.code == ErrorCode::adapted && warning.where.has_point;
+  CHECK(adapted == 1);
+}
+
+TEST_CASE("quads beside a kept edge that is long for the size are told with what helps") {
+  const DomainInput input = domain_of({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  const auto outcome = mesh_domain(input, {.size = 0.02, .keep_boundary = true});
+  REQUIRE(outcome);
+  REQUIRE(!outcome->report.warnings.empty());
+  for (const Warning& warning : outcome->report.warnings)
+    CHECK(warning.message.find("long for the size") != std::string::npos);
+}
+
+TEST_CASE("triangles may stay, but not where pairs of them are good quads") {
+  DomainInput input = domain_of({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  input.polylines.push_back({{{0.25, 0.5}, {0.75, 0.5}}, ""});
+  const auto outcome =
+      mesh_domain(input, {.keep_boundary = true, .elements = Elements::quad_dominant});
+  REQUIRE(outcome);
+  CHECK(outcome->report.quality.quads == 2);
+  CHECK(outcome->report.quality.eta_mean > 0.6);
+}
+
 TEST_CASE("sizes that make no sense are refused before any work") {
   const auto code = [](double size) {
     const auto outcome = mesh_domain(square(1, 0.1), {.size = size});
@@ -184,7 +224,7 @@ TEST_CASE("sizes and guides are judged as given, whatever the scale of the domai
   tiny.sizes = {{{5e99, 5e99}, 1e-300}};
   const auto refused = mesh_domain(square(1e100, 1e99), {}, {}, nullptr, tiny);
   REQUIRE(!refused);
-  CHECK(refused.error().code == ErrorCode::too_many_elements);
+  CHECK(refused.error().code == ErrorCode::lost_precision);
 }
 
 TEST_CASE("the target size is met") {

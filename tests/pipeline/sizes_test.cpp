@@ -5,6 +5,7 @@
 #include "catch.h"
 #include "pipeline/finish.h"
 #include "pipeline/mesh_domain.h"
+#include "pipeline/session.h"
 #include "support/shapes.h"
 
 using namespace lpq;
@@ -145,4 +146,35 @@ TEST_CASE("an outline drawn far finer than the mesh is told, with what helps") {
   CHECK_FALSE(is_told({.simplify = 0.01}));
   CHECK_FALSE(is_told({.size = 0.005}));
   CHECK_FALSE(is_told({.size = 0.3, .keep_boundary = true}));
+}
+
+TEST_CASE("a number of quads that the mesh misses is told with the number that it has") {
+  const Outcome outcome = meshed(sized({{0, 0}, {4, 0}, {0, 3}}, 0, {}), {.quads = 20});
+  const Index quads = outcome.report.quality.quads;
+  REQUIRE(std::abs(quads - 20) > 4);
+  REQUIRE(outcome.report.warnings.size() == 1);
+  const std::string& message = outcome.report.warnings[0].message;
+  CHECK(message.find("About " + std::to_string(quads) + " quads instead of 20") == 0);
+}
+
+TEST_CASE("sizes that doubles cannot hold are refused at points, too") {
+  const auto code = [](double h) {
+    const auto outcome = mesh_domain(sized(square(1), 0.1, {{{0.37, 0.41}, h}}));
+    return outcome ? ErrorCode::cancelled : outcome.error().code;
+  };
+  CHECK(code(1e-15) == ErrorCode::lost_precision);
+  CHECK(code(1e-300) == ErrorCode::lost_precision);
+  CHECK(code(1e-3) == ErrorCode::cancelled);
+}
+
+TEST_CASE("where L_p has no energy to begin with, a session says zero") {
+  for (const double h : {1e-13, 1e-14}) {
+    DomainInput input = sized(square(1), 0.1, {{{0.37, 0.41}, h}});
+    input.seeds = {{0.37, 0.41}, {0.2, 0.2}};
+    auto session = Session::start(input, {.norm = 20});
+    REQUIRE(session);
+    REQUIRE(session->step(1));
+    CHECK(session->mesher().iterations() >= 0);
+    CHECK(session->mesher().gradient_norm() >= 0);
+  }
 }
