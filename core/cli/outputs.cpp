@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "cli/files.h"
+#include "io/stages.h"
 
 namespace lpq {
 namespace {
@@ -62,6 +63,27 @@ std::string first_overwritten(const std::vector<RunFiles>& runs,
   return {};
 }
 
+/// The first input or output that has the place of a file in a folder of stages. Which of those a
+/// run writes is not known before, so none of their names is free.
+std::string first_in_stages(const std::vector<RunFiles>& runs, std::vector<Output> files) {
+  std::vector<std::string> folders;
+  for (const RunFiles& run : runs) {
+    files.push_back({real_path(run.input), run.input});
+    // Through a name in it, as folders may be given with a slash behind.
+    const std::filesystem::path inside(
+        real_path((std::filesystem::path(run.stages) / "_").string()));
+    if (!run.stages.empty()) folders.push_back(inside.parent_path().string());
+  }
+  std::sort(folders.begin(), folders.end());
+  for (const Output& one : files) {
+    const std::filesystem::path place(one.file);
+    if (std::binary_search(folders.begin(), folders.end(), place.parent_path().string()) &&
+        is_stage_name(place.filename().string()))
+      return one.name;
+  }
+  return {};
+}
+
 /// Of one input; `files` are patterns, that of the output with a name.
 Result<RunFiles> files_for(const std::string& input, const MeshFiles& files) {
   const std::string stem = file_stem(input);
@@ -108,6 +130,11 @@ Result<std::vector<RunFiles>> plan_files(const MeshArgs& args) {
   const std::string overwritten = first_overwritten(runs, outputs);
   if (!overwritten.empty())
     return usage("'" + overwritten + "' is an input, and would be overwritten.");
+  const std::string in_stages = first_in_stages(runs, outputs);
+  if (!in_stages.empty())
+    return usage(
+        "'" + in_stages +
+        "' would be overwritten by a file of --stages. Give --stages a folder of its own.");
   return runs;
 }
 

@@ -1,6 +1,9 @@
 // See stages.h.
 #include "io/stages.h"
 
+#include <algorithm>
+#include <array>
+
 #include "io/iterates.h"
 #include "io/json_write.h"
 #include "io/mesh/obj.h"
@@ -159,9 +162,11 @@ std::string seeds_json(const Trace& trace) {
   return out;
 }
 
+constexpr std::string_view quad_stage = "quads-";
+
 /// "quads-1-matched": stages in order, names fit for files.
 std::string quad_stage_name(std::size_t number, std::string_view name) {
-  std::string text = "quads-";
+  std::string text(quad_stage);
   append_integer(text, static_cast<std::int64_t>(number));
   text += '-';
   for (const char c : name) {
@@ -204,6 +209,17 @@ std::string write_matching_json(std::span<const CostEdge> graph, const Matching&
   json.end_object();
   out += '\n';
   return out;
+}
+
+bool is_stage_name(std::string_view name) {
+  constexpr std::array<std::string_view, 17> names{
+      "background.obj", "background.json", "crosses.json",   "crosses.svg",
+      "sizes.json",     "seeds.json",      "start.obj",      "iterates.json",
+      "iterates.bin",   "triangles.obj",   "triangles.json", "matched_triangles.obj",
+      "triangles.svg",  "cells.json",      "cells.svg",      "energy.json",
+      "matching.json"};
+  if (std::find(names.begin(), names.end(), name) != names.end()) return true;
+  return name.substr(0, quad_stage.size()) == quad_stage;
 }
 
 void write_stages(const Trace& trace, const Report& report, FileSink sink) {

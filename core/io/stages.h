@@ -19,6 +19,9 @@ using FileSink = FunctionRef<void(std::string_view name, const std::string& cont
 /// All coordinates, sizes and gradients in the caller's units.
 void write_stages(const Trace& trace, const Report& report, FileSink sink);
 
+/// Whether write_stages() writes a file of this name, whatever the run is.
+bool is_stage_name(std::string_view name);
+
 /// The matching and the proof that it is optimal, with duals in whole units ("3.5"):
 /// {"n", "edges":[[u,v,cost]..], "matching":[[u,v]..], "y":[..], "blossoms":[{"nodes","z"}..]}.
 std::string write_matching_json(std::span<const CostEdge> graph, const Matching& matching);

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "catch.h"
+#include "io/stages.h"
 #include "support/cli_runner.h"
 #include "support/contains.h"
 
@@ -36,6 +37,11 @@ TEST_CASE("a domain becomes every kind of file, and the mesh checks out") {
   CHECK(run({"mesh", domain, "-o", folder / "paper.obj", "--method", "paper", "--stages",
              folder / "paper"})
             .code == 0);
+  for (const char* stages : {"stages", "paper"})
+    for (const auto& file : std::filesystem::directory_iterator(folder / stages)) {
+      INFO(file.path().string());
+      CHECK(lpq::is_stage_name(file.path().filename().string()));
+    }
   for (const char* name : {"paper/iterates.json", "paper/iterates.bin", "plate.svg", "report.json",
                            "stages/cells.json", "stages/energy.json", "stages/matching.json",
                            "stages/triangles.obj", "stages/crosses.json"}) {
