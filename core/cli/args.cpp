@@ -53,6 +53,17 @@ requires std::is_enum_v<Choice> std::string set_value(Choice& member, std::strin
   return expected;
 }
 
+/// What was meant: the one name that begins so (`--h`), or else the nearest.
+std::string likely_name(std::string_view flag, std::span<const std::string> names) {
+  std::string begun;
+  for (const std::string& name : names) {
+    if (flag.size() < 3 || name.compare(0, flag.size(), flag) != 0 || name == begun) continue;
+    if (!begun.empty()) return nearest_name(flag, names);
+    begun = name;
+  }
+  return begun.empty() ? nearest_name(flag, names) : begun;
+}
+
 /// One walk over the arguments; `Tables` are option structs with each_field.
 class ArgParser {
  public:
@@ -103,7 +114,7 @@ class ArgParser {
     (..., each_field(tables, try_field));
     if (found) return;
     error_ = "There is no option " + std::string(flag) + ".";
-    const std::string nearest = nearest_name(flag, names);
+    const std::string nearest = likely_name(flag, names);
     if (!nearest.empty()) error_ += " Did you mean " + nearest + "?";
   }
 
@@ -125,6 +136,12 @@ class ArgParser {
         return;
       }
       const std::string_view text = has_inline_ ? inline_ : args_[next_++];
+      // A file may be called like an option, but then it is given as --report=--quiet.
+      if (!has_inline_ && text.substr(0, 2) == "--") {
+        error_ = "Option " + flag + " needs a value, and '" + std::string(text) +
+                 "' looks like an option.";
+        return;
+      }
       const std::string expected = set_value(member, text, info);
       if (expected.empty()) return;
       error_ = "Option " + flag + " must be " + expected + ", not '" + std::string(text) + "'.";

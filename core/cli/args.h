@@ -121,7 +121,8 @@ bool has_option(const Table& table, std::string_view flag) {
   return found;
 }
 
-/// Options may stand anywhere, as `--name value` or `--name=value`; `-o` is --output, `-h` is
+/// Options may stand anywhere, as `--name value` or, for a value that begins with `--`,
+/// `--name=value`; `-o` is --output, `-h` is
 /// --help; `--no-name` sets a flag to false; after `--` everything is an input. An option that
 /// domains and surfaces share is set for both. Errors: bad_option, with the nearest name where an
 /// option does not exist.

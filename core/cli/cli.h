@@ -18,7 +18,7 @@ enum ExitCode : int {
   exit_invalid = 1,    // `check`: the mesh is readable, but not valid
   exit_usage = 2,      // the command line is wrong
   exit_bad_input = 3,  // a file or domain is wrong
-  exit_could_not = 4,  // no valid mesh found, out of memory, cannot write
+  exit_could_not = 4,  // no valid mesh found, out of memory, cannot write (a file or the output)
 };
 
 /// `args` without the program's name.

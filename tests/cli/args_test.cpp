@@ -118,6 +118,49 @@ TEST_CASE("file names are planned before any work") {
   CHECK_FALSE(plan_files(args).has_value());
 }
 
+TEST_CASE("stages overwrite no input and no other output") {
+  const lpq_test::ScratchFolder folder("planned_stages");
+  std::filesystem::create_directories(folder / "sg");
+  std::filesystem::create_directory_symlink("sg", folder / "link");
+  for (const std::string& stages : {folder / "sg", folder / "sg/", folder / "link"}) {
+    MeshArgs args;
+    args.inputs = {folder / "a.json"};
+    args.files.stages = stages;
+    args.files.output = folder / "sg/mesh.obj";
+    CHECK(plan_files(args).has_value());
+    args.files.output = folder / "sg/quads-1-matched.obj";
+    CHECK(plan_files(args).error().message.find("--stages") != std::string::npos);
+    args.files.output = folder / "link/background.obj";
+    CHECK(plan_files(args).error().message.find("--stages") != std::string::npos);
+    args.files.output = folder / "background.obj";
+    CHECK(plan_files(args).has_value());
+    args.inputs = {folder / "sg/triangles.json"};
+    CHECK(plan_files(args).error().message.find("--stages") != std::string::npos);
+  }
+  MeshArgs args;  // a folder that is not there yet
+  args.inputs = {"a.json"};
+  args.files.stages = folder / "new/";
+  args.files.report = folder / "new/energy.json";
+  CHECK_FALSE(plan_files(args).has_value());
+}
+
+TEST_CASE("an option is no file name of another, unless it is given as one") {
+  const auto swallowed = parse({"a.json", "--report", "--quiet"});
+  REQUIRE_FALSE(swallowed.has_value());
+  CHECK(swallowed.error().message.find("--report needs a value") != std::string::npos);
+  CHECK_FALSE(parse({"a.json", "--size", "--quiet"}).has_value());
+  const auto meant = parse({"a.json", "--report=--quiet", "-o", "-"});
+  REQUIRE(meant.has_value());
+  CHECK(meant->files.report == "--quiet");
+  CHECK(meant->files.output == "-");
+  CHECK_FALSE(meant->files.quiet);
+}
+
+TEST_CASE("the beginning of one option's name means that option") {
+  CHECK(parse({"--h"}).error().message.find("Did you mean --help?") != std::string::npos);
+  CHECK(parse({"--rep", "x"}).error().message.find("Did you mean --report?") != std::string::npos);
+}
+
 TEST_CASE("no file is written over another or over an input, whatever it is called") {
   const lpq_test::ScratchFolder folder("planned");
   MeshArgs args;
