@@ -1,8 +1,11 @@
 // See atlas.h.
 #include "io/atlas.h"
 
+#include <map>
+
 #include "io/escape.h"
 #include "io/number.h"
+#include "io/unique_names.h"
 #include "shell/output.h"
 #include "surface/charts/layout.h"
 
@@ -30,12 +33,27 @@ void append_chart(std::string& out, const SurfaceMesh& surface, const Chart& cha
   }
 }
 
+/// Faces of one name share it in the file, too.
+std::vector<std::string> island_names(const ShellOutcome& outcome) {
+  UniqueNames unique;
+  std::map<std::string, std::string> known;
+  std::vector<std::string> names = face_names(outcome);
+  for (std::string& name : names) {
+    const auto [at, is_new] = known.try_emplace(name);
+    std::string plain;
+    append_obj_name(plain, name);
+    if (is_new) at->second = unique.add(plain);
+    name = at->second;
+  }
+  return names;
+}
+
 }  // namespace
 
 std::string write_atlas_obj(const ShellOutcome& outcome) {
   const std::vector<Chart>& charts = outcome.atlas.charts;
   const AtlasLayout layout = lay_out(charts);
-  const std::vector<std::string> names = face_names(outcome);
+  const std::vector<std::string> names = island_names(outcome);
   std::string out = "# lpquad: charts of a surface; the square's side is ";
   append_number(out, layout.side);
   out += " long\n";
@@ -47,7 +65,7 @@ std::string write_atlas_obj(const ShellOutcome& outcome) {
       append_point(out, "vt", {uv.x, uv.y});
     }
     out += "g ";
-    append_obj_name(out, names[charts[c].face]);
+    out += names[charts[c].face];
     out += " chart_";
     append_integer(out, std::int64_t{c} + 1);
     out += '\n';

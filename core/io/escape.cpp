@@ -90,22 +90,23 @@ void append_json_string(std::string& out, std::string_view text) {
 }
 
 void append_msh_name(std::string& out, std::string_view text) {
-  constexpr std::size_t longest = 127;
-  std::size_t length = text.size();
-  if (length > longest) {
-    length = longest;
-    while (length > 0 && is_continuation(text[length])) --length;
-  }
-  out += '"';
-  append_utf8(out, text.substr(0, length), "?", [&](char c) {
+  append_utf8(out, utf8_start(text, longest_msh_name), "?", [&](char c) {
     out += c == '"' ? '\'' : c == '\\' ? '/' : is_control(c) ? ' ' : c;
   });
-  out += '"';
 }
 
 void append_obj_name(std::string& out, std::string_view text) {
-  append_utf8(out, text, "?",
+  const bool hash = !text.empty() && text[0] == '#';
+  if (hash) out += '_';
+  append_utf8(out, text.substr(hash ? 1 : 0), "?",
               [&](char c) { out += c == ' ' || c == '\\' || is_control(c) ? '_' : c; });
+}
+
+std::string_view utf8_start(std::string_view text, std::size_t longest) {
+  if (text.size() <= longest) return text;
+  std::size_t length = longest;
+  while (length > 0 && is_continuation(text[length])) --length;
+  return text.substr(0, length);
 }
 
 void append_ascii(std::string& out, std::string_view text, std::string_view other) {

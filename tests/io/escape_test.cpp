@@ -1,7 +1,10 @@
 #include "io/escape.h"
 
+#include <set>
+
 #include "catch.h"
 #include "io/json_write.h"
+#include "io/unique_names.h"
 
 using namespace lpq;
 
@@ -43,16 +46,39 @@ TEST_CASE("JSON strings escape quotes, backslashes and controls") {
 }
 
 TEST_CASE("MSH names have no quote, no line break and at most 127 bytes") {
-  CHECK(escaped(append_msh_name, "a\"b\nc") == "\"a'b c\"");
+  CHECK(escaped(append_msh_name, "a\"b\nc") == "a'b c");
   std::string name;
   for (int i = 0; i < 100; ++i) name += "\xC3\xA9";
   const std::string cut = escaped(append_msh_name, name);
-  CHECK(cut.size() == 126 + 2);  // whole characters of two bytes
-  CHECK(cut == "\"" + name.substr(0, 126) + "\"");
+  CHECK(cut.size() == 126);  // whole characters of two bytes
+  CHECK(cut == name.substr(0, 126));
 }
 
 TEST_CASE("MSH names have no backslash, which shlex would take for an escape") {
-  CHECK(escaped(append_msh_name, "C:\\a\\") == "\"C:/a/\"");
+  CHECK(escaped(append_msh_name, "C:\\a\\") == "C:/a/");
+}
+
+TEST_CASE("an OBJ name is one word that is no comment") {
+  CHECK(escaped(append_obj_name, "#1 a#2\tb\\") == "_1_a#2_b_");
+  CHECK(escaped(append_obj_name, "##") == "_#");
+}
+
+TEST_CASE("names stay different as a format writes them") {
+  const std::vector<std::string> names{"a b", "a_b", "a_b_2", "#1", "_1", "a\tb"};
+  CHECK(unique_names(names, append_obj_name) ==
+        std::vector<std::string>{"a_b", "a_b_2", "a_b_2_2", "_1", "_1_2", "a_b_3"});
+  const std::string umlauts = [] {
+    std::string text;
+    for (int i = 0; i < 64; ++i) text += "\xC3\xBC";
+    return text;
+  }();
+  const std::vector<std::string> same_start{umlauts + "1", umlauts + "2", umlauts + "3"};
+  const auto written = unique_names(same_start, append_msh_name, longest_msh_name);
+  CHECK(std::set<std::string>(written.begin(), written.end()).size() == 3);
+  for (const std::string& name : written) {
+    CHECK(name.size() <= longest_msh_name);
+    CHECK(escaped(append_msh_name, name) == name);  // no character is cut
+  }
 }
 
 TEST_CASE("ASCII text is one printable line") {

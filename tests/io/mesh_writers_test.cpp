@@ -1,5 +1,6 @@
 // The text of each format: counts, columns, names. Other programs read the files in tests/outside.
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include "catch.h"
@@ -8,6 +9,8 @@
 #include "io/mesh/geojson.h"
 #include "io/mesh/inp.h"
 #include "io/mesh/mesh_format.h"
+#include "io/mesh/msh.h"
+#include "io/mesh/obj.h"
 #include "io/mesh/ply.h"
 #include "io/mesh/su2.h"
 #include "io/mesh/vtk.h"
@@ -210,6 +213,27 @@ TEST_CASE("GeoJSON closes its rings and joins the edges of a tag") {
   CHECK(has(tagged, "\"properties\":{\"tag\":\"wall\",\"left\":\"air\",\"right\":null}"));
   CHECK(has(tagged,
             "\"type\":\"Point\",\"coordinates\":[0,0.25]},\"properties\":{\"tag\":\"probe\"}"));
+}
+
+TEST_CASE("regions of different names stay apart in OBJ and MSH") {
+  OutputMesh mesh = thrice_named_mesh();
+  const std::string long_name(127, 'x');
+  for (const std::vector<std::string>& names : {std::vector<std::string>{"#1", "#2", "#3"},
+                                                {"a b", "a_b", "a\tb"},
+                                                {"a\"b", "a'b", "A"},
+                                                {long_name + "1", long_name + "2", "c"},
+                                                {"", "region 1", "region_1"}}) {
+    mesh.regions = names;
+    INFO(names[0].substr(0, 20));
+    const auto obj = read_obj(write_obj(mesh));
+    REQUIRE(obj.has_value());
+    CHECK(std::set<std::string>(obj->regions.begin(), obj->regions.end()).size() == 3);
+    for (const MshVersion version : {MshVersion::v4_1, MshVersion::v2_2}) {
+      const auto msh = read_msh(write_msh(mesh, version));
+      REQUIRE(msh.has_value());
+      CHECK(std::set<std::string>(msh->regions.begin(), msh->regions.end()).size() == 3);
+    }
+  }
 }
 
 TEST_CASE("no name adds a line to a file or takes one away") {

@@ -2,23 +2,23 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <string>
 #include <string_view>
+
+#include "io/unique_names.h"
 
 namespace lpq {
 
 class Labels {
  public:
-  explicit Labels(std::size_t longest) : longest_(longest) {}
+  explicit Labels(std::size_t longest) : names_(longest, UniqueNames::Case::does_not) {}
 
   /// `name` with every other character as '_', a letter in front, at most `longest` characters,
   /// and a number behind where that has been given before ("steel_2"). Case is kept.
   std::string add(std::string_view name);
 
  private:
-  std::size_t longest_;
-  std::map<std::string, int> given_;  // in lower case; how often
+  UniqueNames names_;
 };
 
 }  // namespace lpq

@@ -7,6 +7,7 @@
 #include "io/mesh/msh.h"
 #include "io/mesh/msh_model.h"
 #include "io/number.h"
+#include "io/unique_names.h"
 
 namespace lpq {
 namespace {
@@ -64,13 +65,15 @@ class MshWriter {
     const std::array<const std::vector<std::string>*, 3> names{
         &model_.point_names, &model_.curve_names, &model_.surface_names};
     for (std::size_t dimension = 0; dimension < 3; ++dimension) {
-      for (std::size_t i = 0; i < names[dimension]->size(); ++i) {
+      const std::vector<std::string> written =
+          unique_names(*names[dimension], append_msh_name, longest_msh_name);
+      for (std::size_t i = 0; i < written.size(); ++i) {
         integer(dimension);
         text(" ");
         integer(i + 1);
-        text(" ");
-        append_msh_name(out_, (*names[dimension])[i]);
-        text("\n");
+        text(" \"");
+        text(written[i]);
+        text("\"\n");
       }
     }
     text("$EndPhysicalNames\n");

@@ -6,8 +6,10 @@
 #include <string_view>
 
 #include "io/escape.h"
+#include "io/mesh/region_groups.h"
 #include "io/mesh_text.h"
 #include "io/number.h"
+#include "io/unique_names.h"
 
 namespace lpq {
 namespace {
@@ -29,6 +31,12 @@ void append_face(std::string& out, const std::array<Index, N>& face) {
   out += '\n';
 }
 
+std::vector<std::string> names_in_file(const OutputMesh& mesh, const RegionGroups& groups) {
+  std::vector<std::string> names;
+  for (Index g = 0; g < groups.count(); ++g) names.push_back(region_label(mesh, groups.first(g)));
+  return unique_names(names, append_obj_name);
+}
+
 }  // namespace
 
 std::string write_obj(const OutputMesh& mesh) {
@@ -36,12 +44,14 @@ std::string write_obj(const OutputMesh& mesh) {
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
     append_vertex(out, mesh.point(static_cast<Index>(v)));
   // Faces keep their order: a new `g` line wherever the region changes.
-  Index group = none;
+  const RegionGroups groups = region_groups(mesh);
+  const std::vector<std::string> names = names_in_file(mesh, groups);
+  Index region = none;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    if (mesh.regions.size() > 1 && mesh.region[f] != group) {
-      group = mesh.region[f];
+    if (mesh.regions.size() > 1 && mesh.region[f] != region) {
+      region = mesh.region[f];
       out += "g ";
-      append_obj_name(out, region_label(mesh, group));
+      out += names[static_cast<std::size_t>(groups.of(region))];
       out += '\n';
     }
     append_face(out, mesh.faces[f]);

@@ -3,21 +3,24 @@
 
 #include "io/escape.h"
 #include "io/number.h"
+#include "io/unique_names.h"
 
 namespace lpq {
 namespace {
 
-/// "g name", or "g group_3" where it has none.
-void append_name(std::string& out, char keyword, const std::string& name, const char* kind,
-                 Index number) {
+/// "group_3" where it has none. Groups stay apart whatever their names are: there are curves where
+/// they meet.
+std::vector<std::string> names_in_file(std::span<const std::string> names, const char* kind) {
+  std::vector<std::string> full(names.begin(), names.end());
+  for (std::size_t i = 0; i < full.size(); ++i)
+    if (full[i].empty()) full[i] = kind + std::to_string(i + 1);
+  return unique_names(full, append_obj_name);
+}
+
+void append_name(std::string& out, char keyword, const std::string& name) {
   out += keyword;
   out += ' ';
-  if (name.empty()) {
-    out += kind;
-    append_integer(out, std::int64_t{number} + 1);
-  } else {
-    append_obj_name(out, name);
-  }
+  out += name;
   out += '\n';
 }
 
@@ -31,16 +34,18 @@ std::string write_surface_obj(const SurfaceMesh& surface, std::span<const std::s
     append_numbers(out, {p.x, p.y, p.z});
     out += '\n';
   }
+  const std::vector<std::string> groups = names_in_file(group_names, "group_"),
+                                 bodies = names_in_file(body_names, "body_");
   Index group = none, body = none;
   for (Index t = 0; t < surface.triangle_count(); ++t) {
     const Index new_body = surface.body_of(surface.triangles[t][0]);
     if (!body_names.empty() && new_body != body) {
       body = new_body;
-      append_name(out, 'o', body_names[body], "body_", body);
+      append_name(out, 'o', bodies[body]);
     }
     if (group_names.size() > 1 && surface.group[t] != group) {
       group = surface.group[t];
-      append_name(out, 'g', group_names[group], "group_", group);
+      append_name(out, 'g', groups[group]);
     }
     out += 'f';
     for (const Index v : surface.triangles[t]) {
