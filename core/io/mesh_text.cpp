@@ -40,11 +40,11 @@ Error LineReader::error(std::string message) const {
   return error;
 }
 
-void Words::split(std::string_view line) {
+void Words::split(std::string_view line, bool has_comments) {
   words_.clear();
   constexpr std::string_view blanks = " \t\v\f\r";
   std::size_t i = line.find_first_not_of(blanks);
-  while (i != std::string_view::npos && line[i] != '#') {
+  while (i != std::string_view::npos && !(has_comments && line[i] == '#')) {
     const std::size_t end = line.find_first_of(blanks, i);
     words_.push_back(line.substr(i, end - i));
     i = line.find_first_not_of(blanks, end);

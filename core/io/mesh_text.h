@@ -38,10 +38,10 @@ class LineReader {
   char line_end_ = '\n';
 };
 
-/// The words of a line, separated by blanks; a word that starts with '#' ends it.
+/// The words of a line, separated by blanks; with comments, a word that starts with '#' ends it.
 class Words {
  public:
-  void split(std::string_view line);
+  void split(std::string_view line, bool has_comments = true);
   std::size_t size() const { return words_.size(); }
   std::string_view operator[](std::size_t i) const { return words_[i]; }
 

@@ -230,7 +230,8 @@ TEST_CASE("numbers and corners that are wrong are repeated, with what to do") {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   CHECK(contains(surface_error("x.obj", points + "f 0 1 2\n").message, "from 1 to 3"));
   CHECK(contains(surface_error("x.obj", points + "f 1 2 9\n").message, "vertex 9"));
-  CHECK(contains(surface_error("x.obj", "f 1 2 3\n" + points).message, "no vertex stands before"));
+  CHECK(
+      contains(surface_error("x.obj", "f -1 -2 -3\n" + points).message, "no vertex stands before"));
   CHECK(contains(surface_error("x.off", "OFF\n3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n").message,
                  "from 0 to 2"));
 }

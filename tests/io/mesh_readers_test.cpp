@@ -41,6 +41,17 @@ TEST_CASE("OBJ as other programs write it") {
   CHECK(mesh->faces == std::vector<Face>{{0, 1, 2, 3}, {0, 1, 2, none}});
 }
 
+TEST_CASE("OBJ is read as the surface reader does: lines that go on, names, later vertices") {
+  const auto mesh = read_obj(
+      "# C:\\a\\\ng top side\nf 1 2 \\\n3 4\ng top #2\nf 2 5 6 \\ \n3\n"
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n");
+  INFO((mesh ? std::string() : mesh.error().message));
+  REQUIRE(mesh.has_value());
+  CHECK(mesh->faces == std::vector<Face>{{0, 1, 2, 3}, {1, 4, 5, 2}});
+  CHECK(mesh->regions == std::vector<std::string>{"top side", "top #2"});
+  CHECK(read_obj("f 1 2 3\nf 1 2 4\nv 0 0 0\nv 1 0 0\nv 1 1 0\n").error().where.line == 2);
+}
+
 TEST_CASE("a mesh may have a group for each of very many faces") {
   const int count = 30'000;
   std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";

@@ -9,6 +9,8 @@
 #include "io/mesh/region_groups.h"
 #include "io/mesh_text.h"
 #include "io/number.h"
+#include "io/obj_text.h"
+#include "io/surface/surface_text.h"
 #include "io/unique_names.h"
 
 namespace lpq {
@@ -70,21 +72,23 @@ namespace {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, MeshScope scope) : lines_(text), scope_(scope) {}
+  ObjReader(std::string_view text, MeshScope scope)
+      : lines_(text), corners_(lines_), scope_(scope) {}
 
   Result<OutputMesh> read() {
     while (!lines_.at_end() && !failed_) {
-      words_.split(lines_.next());
-      if (words_.size() == 0) continue;
-      if (words_[0] == "v") {
-        read_vertex();
-      } else if (words_[0] == "f") {
-        read_face();
-      } else if (words_[0] == "g") {
-        enter_group(words_.size() > 1 ? words_[1] : std::string_view());
+      const Words& words = lines_.next();
+      if (words.size() == 0) continue;
+      if (words[0] == "v") {
+        read_vertex(words);
+      } else if (words[0] == "f") {
+        read_face(words);
+      } else if (words[0] == "g") {
+        enter_group(joined_words(words, 1));
       }
     }
     if (failed_) return error_;
+    if (!corners_.all_there(static_cast<Index>(mesh_.points.size()))) return corners_.error();
     if (mesh_.faces.empty()) return lines_.error("The file has no face (no line 'f ...').");
     drop_unused_points(mesh_);
     drop_flat_heights(mesh_);
@@ -97,11 +101,11 @@ class ObjReader {
     error_ = lines_.error(std::move(message));
   }
 
-  void read_vertex() {
+  void read_vertex(const Words& words) {
     Vec2 p;
     double z = 0;
-    if (words_.size() < 3 || !parse_number(words_[1], p.x) || !parse_number(words_[2], p.y) ||
-        (words_.size() > 3 && !parse_number(words_[3], z))) {
+    if (words.size() < 3 || !parse_number(words[1], p.x) || !parse_number(words[2], p.y) ||
+        (words.size() > 3 && !parse_number(words[3], z))) {
       return fail("A vertex needs two or three finite numbers: 'v x y 0'.");
     }
     if (z != 0 && scope_ == MeshScope::plane)
@@ -110,36 +114,31 @@ class ObjReader {
     mesh_.z.push_back(z);
   }
 
-  void read_face() {
-    const std::size_t corners = words_.size() - 1;
+  void read_face(const Words& words) {
+    const std::size_t corners = words.size() - 1;
     if (corners != 3 && corners != 4) return fail("A face must have three or four corners.");
     Face face{none, none, none, none};
-    const auto count = static_cast<std::int64_t>(mesh_.points.size());
     for (std::size_t k = 0; k < corners; ++k) {
-      const std::string_view word = words_[k + 1];
-      std::int64_t index = 0;
-      if (!parse_integer(word.substr(0, word.find('/')), index)) {
-        return fail("A face corner must be a vertex number.");
-      }
-      index = index > 0 ? index - 1 : count + index;
-      if (index < 0 || index >= count) return fail("A face names a vertex that is not there.");
-      face[k] = static_cast<Index>(index);
+      face[k] = corners_.read(words[k + 1], static_cast<Index>(mesh_.points.size()));
+      if (face[k] != none) continue;
+      failed_ = true;
+      error_ = corners_.error();
+      return;
     }
     if (mesh_.regions.empty()) enter_group({});
     mesh_.faces.push_back(face);
     mesh_.region.push_back(group_);
   }
 
-  void enter_group(std::string_view name) {
-    const auto [at, is_new] =
-        groups_.insert({std::string(name), static_cast<Index>(mesh_.regions.size())});
+  void enter_group(const std::string& name) {
+    const auto [at, is_new] = groups_.try_emplace(name, static_cast<Index>(mesh_.regions.size()));
     if (is_new) mesh_.regions.emplace_back(name);
     group_ = at->second;
   }
 
-  LineReader lines_;
+  ObjLines lines_;
+  ObjCorners corners_;
   MeshScope scope_;
-  Words words_;
   OutputMesh mesh_;
   std::map<std::string, Index> groups_;  // numbers of the regions
   Index group_ = 0;

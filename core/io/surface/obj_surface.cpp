@@ -1,6 +1,7 @@
 // See obj_surface.h.
 #include "io/surface/obj_surface.h"
 
+#include "io/obj_text.h"
 #include "io/surface/soup_builder.h"
 #include "io/surface/surface_text.h"
 
@@ -9,15 +10,16 @@ namespace {
 
 class ObjSurfaceReader {
  public:
-  explicit ObjSurfaceReader(std::string_view text) : lines_(text) {}
+  explicit ObjSurfaceReader(std::string_view text) : lines_(text), numbers_(lines_) {}
 
   Result<SurfaceSoup> read() {
     while (!lines_.at_end() && !failed_) {
-      words_.split(next_logical_line());
-      if (words_.size() > 0) read_line();
+      const Words& words = lines_.next();
+      if (words.size() > 0) read_line(words);
       if (builder_.too_large()) return too_many_triangles();
     }
     if (failed_) return error_;
+    if (!numbers_.all_there(builder_.point_count())) return numbers_.error();
     if (!builder_.has_polygon()) return no_face();
     if (short_faces_ > 0) warn_of_short_faces();
     return builder_.take();
@@ -35,76 +37,55 @@ class ObjSurfaceReader {
     return {ErrorCode::empty, text + ".", {}};
   }
 
-  /// A line and what follows it after a backslash.
-  std::string_view next_logical_line() {
-    std::string_view line = lines_.next();
-    first_ = lines_.error({});
-    if (line.empty() || line.back() != '\\') return line;
-    joined_.clear();
-    while (!line.empty() && line.back() == '\\') {
-      joined_ += line.substr(0, line.size() - 1);
-      joined_ += ' ';
-      line = lines_.next();
-    }
-    joined_ += line;
-    return joined_;
-  }
-
   void fail(std::string message, ErrorCode code = ErrorCode::parse_error) {
     failed_ = true;
-    error_ = first_;
+    error_ = lines_.error(std::move(message));
     error_.code = code;
-    error_.message = std::move(message);
   }
 
-  void read_line() {
-    const std::string_view keyword = words_[0];
+  void read_line(const Words& words) {
+    const std::string_view keyword = words[0];
     if (keyword == "v") {
-      read_vertex();
+      read_vertex(words);
     } else if (keyword == "f") {
-      read_face();
+      read_face(words);
     } else if (keyword == "o") {
-      name_group(object_);
+      name_group(object_, words);
       builder_.set_body(object_);
     } else if (keyword == "g") {
-      name_group(group_);
+      name_group(group_, words);
     } else if (keyword == "usemtl") {
-      name_group(material_);
+      name_group(material_, words);
     } else if (keyword == "cstype") {
       ++free_forms_;
     }
   }
 
-  void read_vertex() {
+  void read_vertex(const Words& words) {
     Vec3 p;
     Error wrong;
-    if (!read_point(words_, 1, "A vertex", p, wrong)) return fail(wrong.message, wrong.code);
+    if (!read_point(words, 1, "A vertex", p, wrong)) return fail(wrong.message, wrong.code);
     builder_.add_point(p);
   }
 
-  void read_face() {
-    if (words_.size() < 4) {
-      if (short_faces_++ == 0) first_short_ = first_;
+  void read_face(const Words& words) {
+    if (words.size() < 4) {
+      if (short_faces_++ == 0) first_short_ = lines_.error({});
       return;
     }
     corners_.clear();
-    for (std::size_t k = 1; k < words_.size(); ++k) {
-      const std::string_view word = words_[k];
-      std::int64_t index = 0;
-      if (!parse_integer(word.substr(0, word.find('/')), index))
-        return fail("A face corner must be a vertex number.");
-      const std::int64_t number = index;
-      // 0 is nobody's number.
-      index = number > 0 ? number - 1 : number < 0 ? builder_.point_count() + number : -1;
-      if (index < 0 || index >= builder_.point_count())
-        return fail(unknown_vertex(number, builder_.point_count(), 1).message);
-      corners_.push_back(static_cast<Index>(index));
+    for (std::size_t k = 1; k < words.size(); ++k) {
+      corners_.push_back(numbers_.read(words[k], builder_.point_count()));
+      if (corners_.back() != none) continue;
+      failed_ = true;
+      error_ = numbers_.error();
+      return;
     }
     builder_.add_polygon(corners_);
   }
 
-  void name_group(std::string& part) {
-    part = joined_words(words_, 1);
+  void name_group(std::string& part, const Words& words) {
+    part = joined_words(words, 1);
     std::string key, name;
     for (const std::string* one : {&object_, &group_, &material_}) {
       key += *one + '\n';
@@ -130,14 +111,13 @@ class ObjSurfaceReader {
     builder_.warn(first_short_);
   }
 
-  LineReader lines_;
-  std::string joined_;
-  Words words_;
+  ObjLines lines_;
+  ObjCorners numbers_;
   SoupBuilder builder_;
   std::vector<Index> corners_;
   std::string object_, group_, material_;
   std::int64_t short_faces_ = 0, free_forms_ = 0;
-  Error first_, first_short_;  // the line being read, the first short face
+  Error first_short_;
   bool failed_ = false;
   Error error_;
 };

@@ -1,6 +1,8 @@
 // See soup_builder.h.
 #include "io/surface/soup_builder.h"
 
+#include <algorithm>
+
 #include "base/words.h"
 #include "io/surface/polygon.h"
 #include "surface/bodies.h"
@@ -24,6 +26,8 @@ void SoupBuilder::set_body(const std::string& name) {
 }
 
 SurfaceSoup SoupBuilder::take() {
+  for (Index i = 0; i < static_cast<Index>(later_.size()); ++i)
+    divide(waiting_.row(i), later_[static_cast<std::size_t>(i)]);
   if (!soup_.sizes.empty()) soup_.sizes.resize(soup_.points.size(), 0);
   if (turned_ > 0) soup_.warnings.push_back(warning_of_turned());
   if (has_bodies_) {
@@ -35,7 +39,7 @@ SurfaceSoup SoupBuilder::take() {
   return std::move(soup_);
 }
 
-void SoupBuilder::add_polygon(std::span<const Index> corners) {
+SoupBuilder::Owner SoupBuilder::owner() {
   if (group_ == none) {
     const auto [at, is_new] = groups_.try_emplace(key_, static_cast<Index>(groups_.size()));
     if (is_new) soup_.group_names.push_back(name_);
@@ -46,11 +50,23 @@ void SoupBuilder::add_polygon(std::span<const Index> corners) {
     if (is_new) soup_.body_names.push_back(body_name_);
     body_ = at->second;
   }
+  return {group_, body_};
+}
+
+void SoupBuilder::add_polygon(std::span<const Index> corners) {
+  const bool is_complete = *std::max_element(corners.begin(), corners.end()) < point_count();
+  if (is_complete && later_.empty()) return divide(corners, owner());
+  waiting_.values.insert(waiting_.values.end(), corners.begin(), corners.end());
+  waiting_.end_row();
+  later_.push_back(owner());
+}
+
+void SoupBuilder::divide(std::span<const Index> corners, Owner owner) {
   const DividedPolygon divided = divide_polygon(corners, soup_.points);
   for (const Tri& triangle : divided.triangles) {
     soup_.triangles.push_back(triangle);
-    soup_.group.push_back(group_);
-    soup_.body.push_back(body_);
+    soup_.group.push_back(owner.group);
+    soup_.body.push_back(owner.body);
   }
   if (divided.turned && turned_++ == 0) first_turned_ = soup_.points[corners[0]];
 }
@@ -67,7 +83,8 @@ Warning SoupBuilder::warning_of_turned() const {
 }
 
 bool SoupBuilder::too_large() const {
-  return soup_.points.size() > most_elements || soup_.triangles.size() > most_elements;
+  return soup_.points.size() > most_elements || soup_.triangles.size() > most_elements ||
+         waiting_.values.size() > most_elements;
 }
 
 Error too_many_triangles() {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/csr.h"
 #include "surface/soup.h"
 
 namespace lpq {
@@ -27,10 +28,10 @@ class SoupBuilder {
   /// Polygons from now on belong to the body of this name; before the first call to one without.
   void set_body(const std::string& name);
 
-  /// Three or more corners of points that are there, divided into triangles (polygon.h), with a
-  /// warning where some of these turn over.
+  /// Three or more corners, divided into triangles (polygon.h), with a warning where some of these
+  /// turn over. Their points may come later, before take().
   void add_polygon(std::span<const Index> corners);
-  bool has_polygon() const { return !soup_.triangles.empty(); }
+  bool has_polygon() const { return !soup_.triangles.empty() || !later_.empty(); }
 
   void warn(Warning warning) { soup_.warnings.push_back(std::move(warning)); }
   /// Whether the file is beyond what indices can count.
@@ -40,9 +41,16 @@ class SoupBuilder {
   SurfaceSoup take();
 
  private:
+  struct Owner {
+    Index group, body;
+  };
+  Owner owner();
+  void divide(std::span<const Index> corners, Owner owner);
   Warning warning_of_turned() const;
 
   SurfaceSoup soup_;
+  Csr<Index> waiting_;        // polygons from the first on that had not all its points
+  std::vector<Owner> later_;  // of each of these
   std::map<std::string, Index> groups_, bodies_;
   std::string key_, name_;
   Index group_ = none;  // none: the next polygon makes it
