@@ -11,6 +11,7 @@
 #include "io/surface/surface_format.h"
 #include "io/surface/surface_write.h"
 #include "support/output_meshes.h"
+#include "support/read_soup.h"
 #include "support/surface_checks.h"
 #include "support/surface_data.h"
 #include "support/surface_shapes.h"
@@ -20,18 +21,6 @@ using namespace lpq;
 using namespace lpq_test;
 
 namespace {
-
-SurfaceSoup good(const Result<SurfaceSoup>& soup) {
-  INFO((soup ? std::string() : soup.error().message));
-  REQUIRE(soup.has_value());
-  return soup.value();
-}
-
-Error bad(const Result<SurfaceSoup>& soup) {
-  REQUIRE_FALSE(soup.has_value());
-  CHECK_FALSE(soup.error().message.empty());
-  return soup.error();
-}
 
 const std::string three_points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
@@ -183,6 +172,9 @@ TEST_CASE("STL: bytes and text") {
   const auto two = good(read_stl_surface("\r\n" + text_stl(box) + text_stl(box)));
   CHECK(two.group_names == std::vector<std::string>{"a box", "a box"});
   CHECK(two.group.back() == 1);
+  std::string numbered = text_stl(box);
+  numbered.replace(numbered.find("a box"), 5, "part #1");
+  CHECK(good(read_stl_surface(numbered)).group_names == std::vector<std::string>{"part #1"});
   const auto line = good(read_stl_surface(
       "SOLID\nFACET NORMAL 0 0 1 OUTER LOOP VERTEX 0 0 0 VERTEX 1 0 0 VERTEX 0 1 0 "
       "ENDLOOP ENDFACET ENDSOLID"));
@@ -205,6 +197,10 @@ TEST_CASE("STL: what is wrong has a place") {
   CHECK(bad(read_stl_surface(nan)).where.byte == 96);
   std::string none_at_all(84, '\0');
   CHECK(bad(read_stl_surface(none_at_all)).code == ErrorCode::empty);
+  std::string uncounted = bytes;
+  for (std::size_t k = 80; k < 84; ++k) uncounted[k] = '\0';
+  CHECK(bad(read_stl_surface(uncounted)).where.byte == 80);
+  CHECK(bad(read_stl_surface(uncounted)).message.find("0 facets") != std::string::npos);
 
   CHECK(bad(read_stl_surface("solid\nendsolid")).code == ErrorCode::empty);
   const std::string facet = "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n";

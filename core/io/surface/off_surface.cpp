@@ -10,10 +10,15 @@ namespace {
 
 class OffReader {
  public:
-  explicit OffReader(std::string_view text) : lines_(text) {}
+  /// Whether a line is a vertex, or vertices are any three numbers.
+  enum class Layout { lines, words };
+
+  OffReader(std::string_view text, Layout layout) : lines_(text), layout_(layout) {}
 
   Result<SurfaceSoup> read() {
-    if (!failed_) read_counts();
+    read_counts();
+    // How many numbers a vertex has is known for sure where it has nothing but its place.
+    if (layout_ == Layout::words && has_prefix_) fail("Every vertex needs a line of its own.");
     for (std::int64_t i = 0; i < vertex_count_ && !failed_; ++i) read_vertex();
     for (std::int64_t i = 0; i < face_count_ && !failed_; ++i) read_face();
     if (failed_) return error_;
@@ -46,40 +51,72 @@ class OffReader {
     return true;
   }
 
+  /// The next word, of this line or one of the next; false at the end.
+  bool next_word(const char* what) {
+    if (++at_ < words_.size()) return true;
+    at_ = 0;
+    return next_words(what);
+  }
+
   /// [ST][C][N][4][n]OFF, perhaps in small letters or with the first count right behind it.
   void read_counts() {
     if (!next_words("count")) return;
     std::string_view first = words_[0];
     const bool small = first.find("off") != std::string_view::npos;
     const std::size_t off = first.find(small ? "off" : "OFF");
-    std::size_t at = 0;
+    at_ = 0;
     if (off != std::string_view::npos) {
       const std::string_view prefix = first.substr(0, off);
-      if (prefix.find_first_not_of(small ? "stcn" : "STCN") != std::string_view::npos)
+      if (prefix.find_first_not_of(small ? "stcn4" : "STCN4") != std::string_view::npos)
         return fail("Only OFF files of points in space can be read.");
+      has_prefix_ = !prefix.empty();
+      has_weights_ = prefix.find('4') != std::string_view::npos;
       first.remove_prefix(off + 3);
-      at = first.empty() ? 1 : 0;
+      at_ = first.empty() ? 1 : 0;
     }
-    if (at < words_.size() && same_letters(words_[at], "binary"))
+    if (at_ < words_.size() && same_letters(words_[at_], "binary"))
       return fail("Binary OFF files cannot be read; save it as text.");
-    if (at == words_.size()) {
+    if (at_ == words_.size()) {
       if (!next_words("count")) return;
-      at = 0;
-      first = words_[0];
-    } else if (at == 1) {
-      first = words_[1];
+      at_ = 0;
     }
-    if (words_.size() < at + 2 || !parse_integer(first, vertex_count_) ||
-        !parse_integer(words_[at + 1], face_count_))
+    if (first.empty()) first = words_[at_];
+    if (!parse_integer(first, vertex_count_) || !read_other_counts())
       fail("An OFF file begins with 'OFF' and the numbers of vertices and faces.");
   }
 
+  /// Of faces and, where lines do not matter, edges, which some programs leave out.
+  bool read_other_counts() {
+    if (layout_ == Layout::lines)
+      return at_ + 1 < words_.size() && parse_integer(words_[at_ + 1], face_count_);
+    std::int64_t edges = 0;
+    return next_word("count") && parse_integer(words_[at_], face_count_) && next_word("count") &&
+           parse_integer(words_[at_], edges);
+  }
+
   void read_vertex() {
-    if (!next_words("vertex")) return;
     Vec3 p;
     Error wrong;
-    if (!read_point(words_, 0, "A vertex", p, wrong)) return fail(wrong.message, wrong.code);
+    if (layout_ == Layout::lines) {
+      if (!next_words("vertex")) return;
+      if (!read_point(words_, 0, "A vertex", p, wrong)) return fail(wrong.message, wrong.code);
+      if (has_weights_) divide_by_weight(p);
+    } else {
+      for (double* const x : {&p.x, &p.y, &p.z})
+        if (!next_word("vertex") || !parse_number(words_[at_], *x))
+          return fail("A vertex needs three finite numbers: x y z.");
+    }
     builder_.add_point(p);
+  }
+
+  /// Of 4OFF, whose points are x/w, y/w and z/w.
+  void divide_by_weight(Vec3& p) {
+    double w = 0;
+    if (words_.size() > 3 && parse_number(words_[3], w) && w != 0) {
+      p = {p.x / w, p.y / w, p.z / w};
+      if (is_finite(p)) return;
+    }
+    fail("A vertex of a 4OFF file needs four finite numbers, the last one not 0.");
   }
 
   void read_face() {
@@ -122,7 +159,10 @@ class OffReader {
   }
 
   LineReader lines_;
+  Layout layout_;
   Words words_;
+  std::size_t at_ = 0;  // of the word read last, where lines do not matter
+  bool has_prefix_ = false, has_weights_ = false;
   SoupBuilder builder_;
   std::vector<Index> corners_;
   std::int64_t vertex_count_ = 0, face_count_ = 0, short_faces_ = 0;
@@ -133,6 +173,11 @@ class OffReader {
 
 }  // namespace
 
-Result<SurfaceSoup> read_off_surface(std::string_view text) { return OffReader(text).read(); }
+Result<SurfaceSoup> read_off_surface(std::string_view text) {
+  auto by_lines = OffReader(text, OffReader::Layout::lines).read();
+  if (by_lines) return by_lines;
+  auto by_words = OffReader(text, OffReader::Layout::words).read();
+  return by_words ? by_words : by_lines;
+}
 
 }  // namespace lpq

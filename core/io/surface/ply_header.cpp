@@ -76,7 +76,9 @@ class HeaderReader {
     start_ = next_;
     const std::size_t end = std::min(bytes_.find_first_of("\r\n", start_), bytes_.size());
     words_.split(bytes_.substr(start_, end - start_));
-    const bool crlf = bytes_.substr(end, 2) == "\r\n";
+    // Where a line before ended in CR alone, an LF behind it is the first of the data.
+    const bool crlf = !only_cr_ && bytes_.substr(end, 2) == "\r\n";
+    only_cr_ = only_cr_ || (!crlf && bytes_.substr(end, 1) == "\r");
     next_ = std::min(end + (crlf ? 2 : 1), bytes_.size());
   }
 
@@ -128,7 +130,7 @@ class HeaderReader {
   std::size_t start_ = 0, next_ = 0;  // of the line
   Words words_;
   PlyHeader header_;
-  bool has_format_ = false, failed_ = false;
+  bool only_cr_ = false, has_format_ = false, failed_ = false;
   Error error_;
 };
 

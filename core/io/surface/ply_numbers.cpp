@@ -31,6 +31,7 @@ double PlyNumbers::next_bytes(PlyType type) {
   const std::size_t size = bytes_of(type);
   if (bytes_.size() - next_ < size) {
     failed_ = true;
+    next_ = bytes_.size();
     return 0;
   }
   next_ += size;

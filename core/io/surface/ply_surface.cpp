@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "io/surface/ply_numbers.h"
@@ -13,10 +14,20 @@
 namespace lpq {
 namespace {
 
+/// As many as will be read; faces may come before them.
+std::int64_t vertices_of(const PlyHeader& header) {
+  for (const PlyElement& element : header.elements)
+    if (element.name == "vertex" && !element.properties.empty()) return element.count;
+  return 0;
+}
+
 class PlyReader {
  public:
   PlyReader(std::string_view bytes, const PlyHeader& header)
-      : bytes_(bytes), header_(header), numbers_(bytes, header) {}
+      : bytes_(bytes),
+        header_(header),
+        numbers_(bytes, header),
+        vertex_count_(vertices_of(header)) {}
 
   Result<SurfaceSoup> read() {
     bool has_vertices = false;
@@ -163,10 +174,11 @@ class PlyReader {
 
   Index corner_of(double index) {
     if (failed_) return none;
-    if (index >= 0 && index < builder_.point_count() && index == std::floor(index))
-      return static_cast<Index>(index);
+    const auto known = static_cast<double>(
+        std::min<std::int64_t>(vertex_count_, std::numeric_limits<Index>::max()));
+    if (index >= 0 && index < known && index == std::floor(index)) return static_cast<Index>(index);
     fail(index == std::floor(index) && std::abs(index) < 1e15
-             ? unknown_vertex(static_cast<std::int64_t>(index), builder_.point_count(), 0).message
+             ? unknown_vertex(static_cast<std::int64_t>(index), vertex_count_, 0).message
              : "A face corner must be a vertex number.");
     return none;
   }
@@ -217,6 +229,7 @@ class PlyReader {
   std::string_view bytes_;
   const PlyHeader& header_;
   PlyNumbers numbers_;
+  std::int64_t vertex_count_;
   SoupBuilder builder_;
   std::vector<Index> corners_;
   double group_ = std::nan("");

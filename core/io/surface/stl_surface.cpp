@@ -53,6 +53,10 @@ Result<SurfaceSoup> read_binary(std::string_view bytes) {
     builder.add_polygon(std::array<Index, 3>{v, v + 1, v + 2});
     if (builder.too_large()) return too_many_triangles();
   }
+  if (count == 0 && present > 0)
+    return error_at_byte(ErrorCode::parse_error, header_size,
+                         "The file says that it has 0 facets, but is as long as one with " +
+                             std::to_string(present) + ". Write it anew.");
   if (count == 0) return Error{ErrorCode::empty, "The file has no facet.", {}};
   return builder.take();
 }
@@ -120,7 +124,7 @@ class StlTextReader {
   void start_solid() {
     if (in_facet_) return fail("A solid begins inside a facet.");
     Words words;
-    words.split(rest_of_line());
+    words.split(rest_of_line(), false);
     builder_.set_group(std::to_string(++solids_), joined_words(words, 0));
   }
 
