@@ -95,6 +95,7 @@ TEST_CASE("MSH 2.2 as Gmsh writes it") {
   const auto with_more =
       read_msh(replaced(good_msh_2, "$Nodes", "$Comments\n$$ what \"ever\"\n$EndComments\n$Nodes"));
   CHECK(with_more.has_value());
+  CHECK(read_msh("$Comments\n2.2\n$EndComments\n" + good_msh_2).has_value());
 }
 
 TEST_CASE("malformed MSH is refused") {

@@ -23,7 +23,8 @@ class MshBytes {
       out_ += words[0] + '\n';
       if (name == "MeshFormat") format();
       if (name == "PhysicalNames") names();
-      if (name == "Entities") entities();
+      if (name == "PartitionedEntities") partitions();
+      if (name == "Entities" || name == "PartitionedEntities") entities(name != "Entities");
       if (name == "Nodes" || name == "ParametricNodes") nodes(name == "ParametricNodes");
       if (name == "Elements") elements();
       if (name != "PhysicalNames") out_ += '\n';
@@ -66,7 +67,14 @@ class MshBytes {
       out_ += line + '\n';
     }
   }
-  void entities() {
+  void partitions() {
+    count(row()[0]);
+    const std::string ghosts = row()[0];
+    count(ghosts);
+    for (int left = std::stoi(ghosts); left > 0; --left)
+      for (const std::string& one : row()) integer(one);
+  }
+  void entities(bool are_parts) {
     const std::vector<std::string> counts = row();
     for (const std::string& one : counts) count(one);
     for (std::size_t dimension = 0; dimension < 4; ++dimension)
@@ -74,14 +82,20 @@ class MshBytes {
         const std::vector<std::string> words = row();
         std::size_t at = 0;
         integer(words[at++]);
-        for (const std::size_t end = dimension == 0 && version_ > 4 ? 4 : 7; at < end;)
-          real(words[at++]);
-        for (int list = dimension == 0 ? 1 : 2; list > 0; --list) {
-          int size = at < words.size() ? std::stoi(words[at++]) : 0;
-          count(std::to_string(size));
-          while (size-- > 0) integer(words[at++]);
+        if (are_parts) {
+          integer(words[at++]);
+          integer(words[at++]);
+          list(words, at);
         }
+        for (const std::size_t end = at + (dimension == 0 && version_ > 4 ? 3 : 6); at < end;)
+          real(words[at++]);
+        for (int lists = dimension == 0 ? 1 : 2; lists > 0; --lists) list(words, at);
       }
+  }
+  void list(const std::vector<std::string>& words, std::size_t& at) {
+    int size = at < words.size() ? std::stoi(words[at++]) : 0;
+    count(std::to_string(size));
+    while (size-- > 0) integer(words[at++]);
   }
   /// tag x y z, perhaps with coordinates on an entity.
   void node(const std::vector<std::string>& words, bool with_entity) {

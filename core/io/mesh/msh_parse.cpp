@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "io/mesh/msh_entities.h"
 #include "io/mesh/msh_rows.h"
 #include "io/mesh/msh_types.h"
 #include "io/number.h"
@@ -47,19 +48,26 @@ class MshParser {
   bool read() {
     while (rows_.next_section()) read_section(rows_.section());
     if (version_ == Rows::none) rows_.fail("'$MeshFormat' was expected.");
+    content_.repeats_elements = version_ == Rows::v2;
+    content_.other_groups = entities_.other_groups();
     if (!rows_.failed()) sort_nodes();
     return !rows_.failed();
   }
 
   void read_section(const std::string& name) {
-    if (version_ == Rows::none && name != "MeshFormat")
-      return rows_.fail("'$MeshFormat' must come first.");
+    constexpr std::string_view needing_format[] = {"Entities", "PartitionedEntities", "Nodes",
+                                                   "ParametricNodes", "Elements"};
+    const bool needs_format = std::find(std::begin(needing_format), std::end(needing_format),
+                                        name) != std::end(needing_format);
+    if (version_ == Rows::none && needs_format) return rows_.fail("'$MeshFormat' must come first.");
     if (name == "MeshFormat") {
       read_format();
     } else if (name == "PhysicalNames") {
       read_names();
     } else if (name == "Entities") {
-      read_entities();
+      entities_.read(rows_, version_ == Rows::v4_0);
+    } else if (name == "PartitionedEntities") {
+      entities_.read_parts(rows_, version_ == Rows::v4_0);
     } else if (name == "ParametricNodes" && version_ == Rows::v2) {
       read_nodes_2();
     } else if (name == "Nodes") {
@@ -122,32 +130,6 @@ class MshParser {
       content_.names.push_back(std::move(name));
     }
     std::stable_sort(content_.names.begin(), content_.names.end());
-  }
-
-  void read_entities() {
-    if (!rows_.read_integers(0, 4)) return;
-    const std::vector<std::int64_t> counts = rows_.integers();
-    for (std::int64_t dimension = 0; dimension < 4; ++dimension)
-      for (std::int64_t left = counts[static_cast<std::size_t>(dimension)]; left > 0; --left) {
-        read_entity(dimension);
-        if (rows_.failed()) return;
-      }
-    std::stable_sort(entities_.begin(), entities_.end());
-  }
-
-  /// Tag, then a point or a bounding box, then the physical tags; in bytes also what bounds it.
-  void read_entity(std::int64_t dimension) {
-    MshLabelled<std::int64_t> entity{dimension, 0, 0};
-    std::int64_t physicals = 0, bounds = 0;
-    rows_.begin_row();
-    bool good = rows_.read_int(entity.tag);
-    rows_.skip_reals(dimension == 0 && version_ == Rows::v4_1 ? 3 : 6);
-    good = good && rows_.read_count(physicals) && (physicals <= 0 || rows_.read_int(entity.value));
-    if (!good) return rows_.fail("An entity needs a tag, its extent and its physical tags.");
-    if (physicals > 0) entities_.push_back(entity);
-    if (!rows_.is_binary()) return;
-    rows_.skip_ints(physicals - 1);
-    if (dimension > 0 && rows_.read_count(bounds)) rows_.skip_ints(bounds);
   }
 
   /// A row of tag and point. Behind them is what is not needed: in version 2 perhaps an entity and
@@ -238,12 +220,12 @@ class MshParser {
   }
 
   void read_element_block(const Block& block) {
-    const std::int64_t* physical = find_msh_label(entities_, block.dimension, block.entity);
+    const MshHome home = entities_.home_of(block.dimension, block.entity);
     const std::size_t numbers = 1 + nodes_in_bytes(block.kind);
     const bool ints = version_ == Rows::v4_0;
     for (std::int64_t left = block.count; left > 0 && !rows_.failed(); --left)
-      if (rows_.read_integers(ints ? numbers : 0, ints ? 0 : numbers))
-        add_element(block.kind, 1, physical != nullptr ? *physical : 0, block.entity);
+      if (rows_.read_integers(ints ? numbers : 0, ints ? 0 : numbers) && !home.is_cut)
+        add_element(block.kind, 1, home);
   }
 
   /// Nodes of an element as far as they must be known to read it: not of a line.
@@ -259,11 +241,12 @@ class MshParser {
   /// An element whose tags start at integers()[at]: the physical one, the entity, others.
   void add_tagged_element(std::int64_t type, std::size_t at, std::size_t tags) {
     const std::vector<std::int64_t>& row = rows_.integers();
-    add_element(type, at + tags, tags > 0 ? row[at] : 0, tags > 1 ? row[at + 1] : 0);
+    add_element(type, at + tags,
+                {.entity = tags > 1 ? row[at + 1] : 0, .physical = tags > 0 ? row[at] : 0});
   }
 
   /// An element whose node tags start at integers()[at].
-  void add_element(std::int64_t type, std::size_t at, std::int64_t physical, std::int64_t entity) {
+  void add_element(std::int64_t type, std::size_t at, const MshHome& home) {
     MshElement element;
     element.size = msh_corners(type, scope_);
     if (element.size == 0 && scope_ == MeshScope::space) return pass_over(type);
@@ -274,9 +257,10 @@ class MshParser {
       element.nodes[k] = rows_.integers()[at + k];
     // A physical tag may be negative (reversed); entities without one stay apart from physicals.
     constexpr std::int64_t largest = std::int64_t{1} << 62;
-    if (physical <= -largest || entity <= -largest || entity >= largest)
+    if (home.physical <= -largest || home.entity <= -largest || home.entity >= largest)
       return rows_.fail("A tag is out of range.");
-    element.group = physical != 0 ? std::abs(physical) : -std::abs(entity);
+    element.group = home.physical != 0 ? std::abs(home.physical) : -std::abs(home.entity);
+    element.in_others = home.in_others;
     element.second_order = element.size >= 3 && type > msh_quad;
     element.line = rows_.line();
     element.byte = rows_.byte();
@@ -306,7 +290,7 @@ class MshParser {
   MshRows rows_;
   MeshScope scope_;
   Rows version_ = Rows::none;
-  std::vector<MshLabelled<std::int64_t>> entities_;  // physical tag of each entity that has one
+  MshEntities entities_;
   MshContent content_;
 };
 

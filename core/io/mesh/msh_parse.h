@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -25,6 +26,13 @@ struct MshElement {
   std::int64_t group = 0;               // physical tag, or -(entity tag) without one
   std::int64_t line = 0, byte = 0;      // of the file; a binary one has no lines
   bool second_order = false;
+  bool in_others = false;  // groups, too
+};
+
+/// A physical group.
+struct MshGroup {
+  std::int64_t dimension = 0, tag = 0;
+  auto operator<=>(const MshGroup&) const = default;
 };
 
 /// A physical name, or the physical tag of an entity: a value kept per (dimension, tag).
@@ -55,6 +63,8 @@ struct MshContent {
   std::vector<MshNode> nodes;                   // sorted by tag, each tag once
   std::vector<MshElement> elements;
   PassedOver passed_over;
+  std::vector<MshGroup> other_groups;  // of elements in_others, as often as one is met
+  bool repeats_elements = false;       // version 2 has an element for each of its groups
   bool binary = false;
 
   /// Index into nodes, none if there is no such tag. Cost O(log #nodes).
