@@ -4,6 +4,7 @@
 
 #include "catch.h"
 #include "io/mesh/msh.h"
+#include "io/surface/msh_surface.h"
 #include "support/domain_files.h"
 #include "support/msh_bytes.h"
 
@@ -45,6 +46,31 @@ std::string partitioned(bool old, bool grouped) {
   return text + "$EndElements\n";
 }
 
+/// Two squares in "left" and "right", and "all" of them, and a line in "low" and in group 9: in
+/// version 2.2 an element for each of its groups, else entities with two groups.
+std::string overlapping(bool old, const std::string& height) {
+  const std::string box = " 0 0 0 2 1 0";
+  const std::string nodes[] = {"0 0 ", "1 0 ", "2 0 ", "0 1 ", "1 1 ", "2 1 "};
+  std::string text = std::string("$MeshFormat\n") + (old ? "2.2" : "4.1") +
+                     " 0 8\n$EndMeshFormat\n$PhysicalNames\n4\n1 3 \"low\"\n2 1 \"left\"\n"
+                     "2 2 \"right\"\n2 4 \"all\"\n$EndPhysicalNames\n";
+  if (!old)
+    text += "$Entities\n0 1 2 0\n5" + box + " 2 3 9 0\n1" + box + " 2 1 4 0\n2" + box +
+            " 2 2 4 0\n$EndEntities\n";
+  text += old ? "$Nodes\n6\n" : "$Nodes\n1 6 1 6\n2 1 0 6\n1\n2\n3\n4\n5\n6\n";
+  for (int i = 0; i < 6; ++i)
+    text += (old ? std::to_string(i + 1) + ' ' : std::string()) + nodes[i] + height + '\n';
+  text += "$EndNodes\n$Elements\n";
+  text += old ? "6\n1 1 2 3 5 1 2\n2 1 2 9 5 2 1\n3 3 2 1 1 1 2 5 4\n4 3 2 2 2 2 3 6 5\n"
+                "5 3 2 4 1 1 2 5 4\n6 3 2 4 2 5 2 3 6\n"
+              : "3 3 1 3\n1 5 1 1\n1 1 2\n2 1 3 1\n2 1 2 5 4\n2 2 3 1\n3 2 3 6 5\n";
+  return text + "$EndElements\n";
+}
+
+bool contains(const Warning& warning, const char* text) {
+  return warning.message.find(text) != std::string::npos;
+}
+
 }  // namespace
 
 TEST_CASE("parts of a partitioned mesh have the names of the whole, and no border between them") {
@@ -68,4 +94,25 @@ TEST_CASE("parts of a partitioned mesh have the names of the whole, and no borde
         CHECK(std::count(tags.begin(), tags.end(), "low") == (grouped ? 2 : 0));
       }
     }
+}
+
+TEST_CASE("of overlapping physical groups the first counts, which is told") {
+  for (const bool old : {false, true}) {
+    const DomainFile file = read_file(overlapping(old, "0"), DomainFormat::msh);
+    REQUIRE(file.domain.regions.size() == 2);
+    CHECK(file.domain.regions[0].name == "left");
+    CHECK(file.domain.regions[1].name == "right");
+    CHECK(total_area(file.domain) == 2);
+    REQUIRE(file.warnings.size() == 1);
+    CHECK(
+        contains(file.warnings[0], "taken: 3. Nothing is left of \"physical curve 9\", \"all\"."));
+
+    const auto soup = read_msh_surface(overlapping(old, "1"));
+    REQUIRE(soup.has_value());
+    CHECK(soup->triangles.size() == 4);
+    CHECK(soup->group_names == std::vector<std::string>{"left", "right"});
+    REQUIRE(soup->warnings.size() == 2);
+    CHECK(contains(soup->warnings[0], "taken: 2. Nothing is left of \"all\"."));
+    CHECK(contains(soup->warnings[1], "Physical curves were left out: \"low\"."));
+  }
 }

@@ -20,7 +20,9 @@ bool operator<(const Side& s, const Side& t) { return s.a == t.a ? s.b < t.b : s
 
 class MshDomain {
  public:
-  explicit MshDomain(OutputMesh mesh) : mesh_(std::move(mesh)) {}
+  explicit MshDomain(MshElements elements) : mesh_(std::move(elements.mesh)) {
+    file_.warnings = std::move(elements.warnings);
+  }
 
   Result<DomainFile> make() {
     for (const std::string& tag : mesh_.tags) drawing_.add_source(tag);
@@ -171,9 +173,9 @@ void MshDomain::add_points(const NestedFaces& nested, const std::vector<char>& f
 }  // namespace
 
 Result<DomainFile> read_msh_domain(std::string_view text) {
-  auto mesh = read_msh_elements(text);
-  if (!mesh) return mesh.error();
-  return MshDomain(*std::move(mesh)).make();
+  auto elements = read_msh_elements(text);
+  if (!elements) return elements.error();
+  return MshDomain(*std::move(elements)).make();
 }
 
 }  // namespace lpq

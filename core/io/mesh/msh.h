@@ -7,6 +7,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/fields.h"
 #include "base/result.h"
@@ -30,7 +31,13 @@ std::string write_msh(const OutputMesh& mesh, MshVersion version = MshVersion::v
 /// are their corners. Errors: parse_error with byte, and of ASCII with line.
 Result<OutputMesh> read_msh(std::string_view text, MeshScope scope = MeshScope::plane);
 
+struct MshElements {
+  OutputMesh mesh;
+  std::vector<Warning> warnings;  // of groups that the mesh cannot hold
+};
+
 /// The same without its last two steps: a file of lines alone is good, and every node is kept.
-Result<OutputMesh> read_msh_elements(std::string_view text);
+/// Of elements that are there again for another physical group the first is taken.
+Result<MshElements> read_msh_elements(std::string_view text);
 
 }  // namespace lpq

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "io/mesh/msh.h"
+#include "io/mesh/msh_groups.h"
 #include "io/mesh/msh_parse.h"
 #include "io/mesh/msh_types.h"
 #include "io/mesh_text.h"
@@ -79,28 +80,30 @@ class MshReader {
   Error error_;
 };
 
-Result<OutputMesh> read(std::string_view text, MeshScope scope, bool needs_faces) {
+}  // namespace
+
+Result<OutputMesh> read_msh(std::string_view text, MeshScope scope) {
   const auto content = parse_msh(text, scope);
   if (!content) return content.error();
   auto mesh = MshReader(*content).read();
-  if (mesh && mesh->faces.empty() && needs_faces) {
+  if (mesh && mesh->faces.empty()) {
     Error error = error_at(text, text.size(), error_of_no_face(*content).message);
     if (content->binary) error.where.line = none;
     return error;
   }
-  return mesh;
-}
-
-}  // namespace
-
-Result<OutputMesh> read_msh(std::string_view text, MeshScope scope) {
-  auto mesh = read(text, scope, true);
   if (mesh) drop_unused_points(*mesh);
   return mesh;
 }
 
-Result<OutputMesh> read_msh_elements(std::string_view text) {
-  return read(text, MeshScope::plane, false);
+Result<MshElements> read_msh_elements(std::string_view text) {
+  auto content = parse_msh(text, MeshScope::plane);
+  if (!content) return content.error();
+  MshElements elements;
+  if (auto warning = keep_first_groups(*content)) elements.warnings.push_back(*std::move(warning));
+  auto mesh = MshReader(*content).read();
+  if (!mesh) return mesh.error();
+  elements.mesh = *std::move(mesh);
+  return elements;
 }
 
 }  // namespace lpq

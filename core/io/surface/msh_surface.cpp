@@ -1,6 +1,8 @@
 // See msh_surface.h.
 #include "io/surface/msh_surface.h"
 
+#include "base/sort_unique.h"
+#include "io/mesh/msh_groups.h"
 #include "io/mesh/msh_parse.h"
 #include "io/mesh/msh_types.h"
 #include "io/surface/soup_builder.h"
@@ -8,13 +10,7 @@
 namespace lpq {
 namespace {
 
-std::string group_name(const MshContent& content, std::int64_t group) {
-  constexpr std::int64_t surfaces = 2;
-  if (const std::string* name = find_msh_label(content.names, surfaces, group)) return *name;
-  if (group == 0) return {};
-  return group > 0 ? "physical surface " + std::to_string(group)
-                   : "surface " + std::to_string(-group);
-}
+constexpr std::int64_t surfaces = 2;  // dimension of their groups
 
 Error unknown_node(const MshElement& element, std::int64_t tag) {
   Error error{ErrorCode::parse_error,
@@ -22,6 +18,22 @@ Error unknown_node(const MshElement& element, std::int64_t tag) {
               {}};
   error.where.set_line(element.line, element.byte);
   return error;
+}
+
+/// Features of a surface are found, and have no names.
+void warn_of_curves(const MshContent& content, SoupBuilder& builder) {
+  std::vector<MshGroup> curves;
+  for (const MshElement& element : content.elements)
+    if (element.size == 2 && element.group > 0 &&
+        (curves.empty() || curves.back().tag != element.group))
+      curves.push_back({1, element.group});
+  sort_unique(curves);
+  if (curves.empty()) return;
+  builder.warn({ErrorCode::ignored,
+                "Physical curves were left out: " + msh_group_names(content, curves) +
+                    ". Curves of the surface are its sharp edges, its border and the borders of "
+                    "physical surfaces, with names by number.",
+                {}});
 }
 
 void warn_of_passed_over(const MshContent& content, SoupBuilder& builder) {
@@ -38,9 +50,10 @@ void warn_of_passed_over(const MshContent& content, SoupBuilder& builder) {
 }  // namespace
 
 Result<SurfaceSoup> read_msh_surface(std::string_view text) {
-  const auto content = parse_msh(text, MeshScope::space);
+  auto content = parse_msh(text, MeshScope::space);
   if (!content) return content.error();
   SoupBuilder builder;
+  if (auto warning = keep_first_groups(*content, surfaces)) builder.warn(*std::move(warning));
   for (const MshNode& node : content->nodes) builder.add_point(node.point);
   std::int64_t group = 0;
   std::int64_t curved = 0;
@@ -48,7 +61,7 @@ Result<SurfaceSoup> read_msh_surface(std::string_view text) {
     if (element.size < 3) continue;
     if (!builder.has_polygon() || element.group != group) {
       group = element.group;
-      builder.set_group(std::to_string(group), group_name(*content, group));
+      builder.set_group(std::to_string(group), msh_group_name(*content, {surfaces, group}));
     }
     std::array<Index, 4> corners{};
     const auto size = static_cast<std::size_t>(element.size);
@@ -61,6 +74,7 @@ Result<SurfaceSoup> read_msh_surface(std::string_view text) {
   }
   if (builder.too_large()) return too_many_triangles();
   if (!builder.has_polygon()) return error_of_no_face(*content);
+  warn_of_curves(*content, builder);
   warn_of_passed_over(*content, builder);
   if (curved > 0)
     builder.warn({ErrorCode::adapted,
