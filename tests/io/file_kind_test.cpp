@@ -218,8 +218,16 @@ TEST_CASE("meshes as they are written are no domains, and told so") {
     }
   // Somebody else's property of that name does not matter.
   const std::string square = R"("geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1]]]})";
-  CHECK(read_domain_file("m.geojson",
-                         R"({"type":"Feature",)" + square + R"(,"properties":{"eta":"12:30"}})")
+  for (const char* properties :
+       {R"({"eta":"12:30"})", R"({"eta":0.9})", R"({"region":1,"eta":""})"})
+    CHECK(read_domain_file("m.geojson", R"({"type":"Feature",)" + square + R"(,"properties":)" +
+                                            properties + "}")
+              .has_value());
+  // Nor do both on what is no triangle or quad.
+  CHECK(read_domain_file(
+            "m.geojson",
+            R"({"type":"Feature","properties":{"region":"a","eta":0.9},"geometry":)"
+            R"({"type":"Polygon","coordinates":[[[0,0],[2,0],[3,1],[1,2],[0,1],[0,0]]]}})")
             .has_value());
 }
 

@@ -29,7 +29,7 @@ struct Coordinates {
 
 struct Object {
   std::string type, name, tag;
-  bool has_eta = false;  // among its properties, as faces of a mesh have it
+  bool has_eta = false, has_region = false;  // among its properties, as faces of a mesh have them
   bool has_coordinates = false;
   Coordinates coordinates;
   std::size_t first_region = 0, first_polyline = 0, first_point = 0;  // what lies in it
@@ -57,6 +57,8 @@ class Reader final : public JsonReader {
   bool binary(binary_t&) override { return other_value(); }
   bool string(string_t& value) override;
   bool key(string_t& value) override {
+    if (frames_.back().role == Role::properties && value == "region")
+      objects_.back().has_region = true;
     frames_.back().key = std::move(value);
     return true;
   }
@@ -92,7 +94,7 @@ class Reader final : public JsonReader {
   bool open(Role role, bool is_array);
   bool other_value();
   bool number(double value) override;
-  /// Of what write_geojson() makes: faces, each with its eta.
+  /// Of what write_geojson() makes: triangles and quads, each with its region and eta.
   static Error error_of_mesh() {
     return {
         ErrorCode::parse_error,
@@ -102,6 +104,7 @@ class Reader final : public JsonReader {
   }
   bool end_of_coordinates(const Frame& frame);
   bool end_of_object(Object object);
+  void count_mesh_faces(std::size_t first_region);
   bool add_geometry(std::size_t kind, Object& object);
   void add_polygons(const Coordinates& c);
   void name_parts(const Object& feature);
@@ -242,8 +245,16 @@ bool Reader::end_of_object(Object object) {
     return fail(object.type.substr(0, 40).append(" is not a type of GeoJSON."));
   if (kind < geometry_kinds && !add_geometry(kind, object)) return false;
   if (object.type == "Feature") name_parts(object);
-  if (object.has_eta) mesh_faces_ += file_.domain.regions.size() - object.first_region;
+  if (object.has_eta && object.has_region) count_mesh_faces(object.first_region);
   return true;
+}
+
+void Reader::count_mesh_faces(std::size_t first_region) {
+  for (std::size_t i = first_region; i < file_.domain.regions.size(); ++i) {
+    const std::vector<Loop>& loops = file_.domain.regions[i].loops;
+    const std::size_t positions = loops.size() == 1 ? loops[0].size() : 0;
+    if (positions == 4 || positions == 5) ++mesh_faces_;
+  }
 }
 
 bool Reader::add_geometry(std::size_t kind, Object& object) {
