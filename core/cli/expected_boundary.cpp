@@ -31,13 +31,13 @@ class Matcher {
   }
 
   Result<BoundaryMatch> match() {
-    for (const Segment& segment : domain_.segments) {
-      const Index a = find_point(segment.a), b = find_point(segment.b);
-      if (a == none || b == none) {
+    // Points inside belong to no segment.
+    for (Index p = 0; p < static_cast<Index>(domain_.given.size()); ++p)
+      if (find_point(p) == none)
         return missing("A domain point is not a vertex of the mesh.",
-                       domain_.given[static_cast<std::size_t>(a == none ? segment.a : segment.b)]);
-      }
-      if (!follow(segment, a, b)) {
+                       domain_.given[static_cast<std::size_t>(p)]);
+    for (const Segment& segment : domain_.segments) {
+      if (!follow(segment, find_point(segment.a), find_point(segment.b))) {
         return missing("A domain edge is not made of mesh edges.",
                        domain_.given[static_cast<std::size_t>(segment.a)]);
       }

@@ -193,6 +193,18 @@ TEST_CASE("check compares the boundary with the domain") {
   std::string moved = points + "f 1 2 3 4\nf 2 5 6 3\n";
   moved.replace(moved.find("v 1 0 0"), 7, "v 1 1e-9 0");
   CHECK(judge(moved).code == 1);
+  const auto with_point = [&](const std::string& point) {
+    const std::string asked = folder.write(
+        "p.json", R"({"loops": [[[0,0],[2,0],[2,2],[0,2]]], "points": [)" + point + "]}");
+    const std::string four =
+        points + "v 0 2 0\nv 1 2 0\nv 2 2 0\nf 1 2 3 4\nf 2 5 6 3\nf 4 3 8 7\nf 3 6 9 8\n";
+    return run({"check", folder.write("m.obj", four), "--domain", asked});
+  };
+  CHECK(with_point("[1,1]").code == 0);
+  const auto absent = with_point("[0.5,1.25]");
+  CHECK(absent.code == 1);
+  CHECK(contains(absent.err, "is not a vertex of the mesh"));
+  CHECK(contains(absent.err, "at 0.5 1.25"));
 }
 
 TEST_CASE("check tells the two walls of a sharp corner apart") {
