@@ -22,12 +22,17 @@ void each_place(const Where& where, Visit&& visit) {
   index("byte", where.byte);
 }
 
+/// An edge without a loop in an error about two edges is one of a polyline.
 std::string place_text(const Where& where) {
   std::string text;
+  const bool on_polyline = where.other_edge != none && where.other_loop == none;
   each_place(where, [&](const char* name, std::int64_t value) {
     const std::string_view key = name;
-    if (!text.empty()) text += key == "edge" || key == "otherEdge" || key == "byte" ? " " : ", ";
-    text += key == "otherLoop" ? "loop" : key == "otherEdge" ? "edge" : key;
+    const bool is_other = key == "otherEdge";
+    const bool goes_on = key == "edge" || (is_other && !on_polyline) || key == "byte";
+    if (!text.empty()) text += goes_on ? " " : ", ";
+    if (is_other && on_polyline) text += "polyline ";
+    text += key == "otherLoop" ? "loop" : is_other ? "edge" : key;
     text += ' ';
     append_integer(text, value);
   });

@@ -27,6 +27,15 @@ TEST_CASE("errors name their code, sentence and place") {
         "{\"loop\":0,\"edge\":3,\"otherLoop\":1,\"otherEdge\":7,\"x\":0.5,\"y\":0}}}\n");
 }
 
+TEST_CASE("an edge of a polyline is no edge of the loop before it") {
+  Error error{ErrorCode::touching, "No.", {}};
+  error.where.region = 1;
+  error.where.loop = 0;
+  error.where.edge = 4;
+  error.where.other_edge = 2;
+  CHECK(error_text(error) == "TOUCHING: No. (region 1, loop 0 edge 4, polyline edge 2)");
+}
+
 TEST_CASE("a parse error shows line and byte") {
   Error error{ErrorCode::parse_error, "No.", {}};
   error.where.line = 2;
