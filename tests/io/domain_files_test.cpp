@@ -140,6 +140,33 @@ TEST_CASE(".poly: markers, holes, region names, points inside") {
   CHECK(total_area(half.domain) == 4);
 }
 
+TEST_CASE(".poly: points of holes and regions without effect are told, and vertices on segments") {
+  const std::string square = "6 2 0 1\n0 0 0 0\n1 4 0 0\n2 4 2 0\n3 0 2 0\n4 1 0 5\n5 2 1 5\n";
+  const std::string segments = "5 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n4 0 2\n";
+  struct Case {
+    std::string end, told;
+    Vec2 at;
+  };
+  const Case cases[] = {
+      {"1\n0 9 1\n", "Holes whose point no segments enclose had no effect: 1.", {9, 1}},
+      {"1\n0 2 1\n", "on a segment count on one side of it only: 1.", {2, 1}},
+      {"0\n2\n0 9 1 7\n1 8 1 7\n", "Regions whose point lies outside, or in a hole", {9, 1}},
+      {"1\n0 3 .5\n1\n0 2 .5 7\n", "Regions whose point lies outside, or in a hole", {2, .5}},
+      {"0\n2\n0 3 .5 1\n1 2 .5 2\n", "that had a name before gave it theirs instead: 1.", {2, .5}}};
+  for (const Case& one : cases) {
+    INFO(one.end);
+    const auto file = lpq_test::read_file(square + segments + one.end, DomainFormat::poly);
+    REQUIRE(file.warnings.size() == 2);
+    CHECK(file.warnings[0].message.find("Vertices on a segment") == 0);  // 4 outside, 5 inside
+    CHECK(file.warnings[0].message.find(": 2.") != std::string::npos);
+    CHECK(file.warnings[1].message.find(one.told) != std::string::npos);
+    CHECK(file.warnings[1].where.x == one.at.x);
+    CHECK(file.warnings[1].where.y == one.at.y);
+    CHECK(file.domain.points.empty());
+    CHECK(make_domain(file.domain).has_value());
+  }
+}
+
 TEST_CASE(".poly that is wrong is refused with its line") {
   const std::pair<std::string, std::int64_t> wrong[] = {
       {"# only a comment\n", 1},

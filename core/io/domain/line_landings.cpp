@@ -98,4 +98,25 @@ Landings divide_at_landings(LineWork& lines, double tolerance) {
   return Lander(lines, tolerance).run();
 }
 
+std::vector<char> points_on_edges(const LineWork& lines, std::span<const Vec2> points) {
+  const auto end = [&](Index i) { return lines.points[static_cast<std::size_t>(i)]; };
+  std::vector<Box> boxes;
+  for (const LineWork::Edge& edge : lines.edges) boxes.push_back(box_of(end(edge.a), end(edge.b)));
+  const BoxTree tree(boxes);
+  std::vector<char> on_edge;
+  for (const Vec2 p : points) {
+    bool found = false;
+    tree.walk(
+        [&](Index, const Box& box) {
+          return !found && overlap(box, Box{p, p});
+        },
+        [&](Index e) {
+          const LineWork::Edge& edge = lines.edges[static_cast<std::size_t>(e)];
+          found = found || on_segment(p, end(edge.a), end(edge.b));
+        });
+    on_edge.push_back(found);
+  }
+  return on_edge;
+}
+
 }  // namespace lpq

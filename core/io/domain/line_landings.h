@@ -16,4 +16,7 @@ struct Landings {
 /// are left for the door to judge. Requires points without duplicates. Cost O(n log n).
 Landings divide_at_landings(LineWork& lines, double tolerance);
 
+/// #points  whether each lies on an edge, exactly. Cost O((#edges + #points) log n).
+std::vector<char> points_on_edges(const LineWork& lines, std::span<const Vec2> points);
+
 }  // namespace lpq

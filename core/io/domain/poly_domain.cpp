@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "io/domain/drawing.h"
+#include "io/domain/line_landings.h"
 #include "io/mesh_text.h"
 #include "io/number.h"
 
@@ -13,6 +14,15 @@ namespace {
 struct Marked {
   Vec2 point;
   std::int64_t marker = 0;
+};
+
+/// Points to tell of: how many, and the first.
+struct NotedPoints {
+  Index count = 0;
+  Vec2 first;
+  void add(Vec2 p) {
+    if (count++ == 0) first = p;
+  }
 };
 
 std::string marker_name(std::int64_t marker) {
@@ -80,12 +90,13 @@ class PolyReader {
   void read_segments();
   void read_holes();
   void read_regions();
-  std::vector<Marked> free_vertices() const;
+  std::vector<Marked> free_vertices();
+  void warn_of_sides();
   std::vector<Vec2> probes(const std::vector<Marked>& free) const;
-  void paint(const NestedFaces& nested, std::vector<char>& filled,
-             std::vector<std::string>& names) const;
+  void paint(const NestedFaces& nested, std::vector<char>& filled, std::vector<std::string>& names);
   Index add_points(const std::vector<Marked>& free, const NestedFaces& nested,
                    const std::vector<char>& filled);
+  void warn_of(const NotedPoints& points, const char* text);
   void warn(Index segments_outside, Index points_outside);
   Result<DomainFile> finish();
 
@@ -170,17 +181,41 @@ void PolyReader::read_regions() {
   }
 }
 
-/// Vertices without segments that are not at the place of one with a segment.
-std::vector<Marked> PolyReader::free_vertices() const {
+/// Vertices without segments that are not on one.
+std::vector<Marked> PolyReader::free_vertices() {
   std::vector<Vec2> ends;
   for (std::size_t i = 0; i < vertices_.size(); ++i)
     if (in_segment_[i]) ends.push_back(vertices_[i].point);
   std::sort(ends.begin(), ends.end());
-  std::vector<Marked> free;
-  for (std::size_t i = 0; i < vertices_.size(); ++i)
-    if (!in_segment_[i] && !std::binary_search(ends.begin(), ends.end(), vertices_[i].point))
-      free.push_back(vertices_[i]);
+  std::vector<Marked> apart, free;
+  std::vector<Vec2> places;
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    if (in_segment_[i] || std::binary_search(ends.begin(), ends.end(), vertices_[i].point))
+      continue;
+    apart.push_back(vertices_[i]);
+    places.push_back(vertices_[i].point);
+  }
+  const std::vector<char> on_edge = points_on_edges(drawing_.lines, places);
+  NotedPoints left_out;
+  for (std::size_t i = 0; i < apart.size(); ++i) {
+    if (on_edge[i]) left_out.add(places[i]);
+    if (!on_edge[i]) free.push_back(apart[i]);
+  }
+  warn_of(left_out,
+          "Vertices on a segment that is not divided there were left out (make each an end of two "
+          "segments): ");
   return free;
+}
+
+/// Points of holes and regions should lie inside a face.
+void PolyReader::warn_of_sides() {
+  std::vector<Vec2> points = holes_;
+  points.insert(points.end(), region_points_.begin(), region_points_.end());
+  const std::vector<char> on_edge = points_on_edges(drawing_.lines, points);
+  NotedPoints noted;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (on_edge[i]) noted.add(points[i]);
+  warn_of(noted, "Points of holes and regions on a segment count on one side of it only: ");
 }
 
 /// What the faces around are asked for: holes, then points of regions, then free vertices.
@@ -193,18 +228,27 @@ std::vector<Vec2> PolyReader::probes(const std::vector<Marked>& free) const {
 
 /// Faces with a hole in them are empty; points of regions name theirs.
 void PolyReader::paint(const NestedFaces& nested, std::vector<char>& filled,
-                       std::vector<std::string>& names) const {
+                       std::vector<std::string>& names) {
   filled.assign(nested.planar.faces.size(), 1);
   names.resize(filled.size());
-  for (std::size_t i = 0; i < holes_.size() + region_points_.size(); ++i) {
+  NotedPoints idle_holes, idle_regions, renamed;
+  for (std::size_t i = 0; i < holes_.size(); ++i) {
     const Index face = nested.around_probe(i);
-    if (face == none) continue;
-    if (i < holes_.size()) {
-      filled[face] = 0;
-    } else {
-      names[face] = region_names_[i - holes_.size()];
-    }
+    if (face == none) idle_holes.add(holes_[i]);
+    if (face != none) filled[face] = 0;
   }
+  for (std::size_t i = 0; i < region_points_.size(); ++i) {
+    const Index face = nested.around_probe(holes_.size() + i);
+    if (face == none || !filled[face]) {
+      idle_regions.add(region_points_[i]);
+      continue;
+    }
+    if (!names[face].empty() && names[face] != region_names_[i]) renamed.add(region_points_[i]);
+    names[face] = region_names_[i];
+  }
+  warn_of(idle_holes, "Holes whose point no segments enclose had no effect: ");
+  warn_of(idle_regions, "Regions whose point lies outside, or in a hole, had no effect: ");
+  warn_of(renamed, "Region points in a face that had a name before gave it theirs instead: ");
 }
 
 /// Free vertices in filled faces; returns how many others there are.
@@ -221,6 +265,13 @@ Index PolyReader::add_points(const std::vector<Marked>& free, const NestedFaces&
     }
   }
   return outside;
+}
+
+void PolyReader::warn_of(const NotedPoints& points, const char* text) {
+  if (points.count == 0) return;
+  Warning warning{ErrorCode::ignored, text + std::to_string(points.count) + ".", {}};
+  warning.where.set_point(points.first.x, points.first.y);
+  file_.warnings.push_back(std::move(warning));
 }
 
 void PolyReader::warn(Index segments_outside, Index points_outside) {
@@ -240,6 +291,7 @@ void PolyReader::warn(Index segments_outside, Index points_outside) {
 Result<DomainFile> PolyReader::finish() {
   if (Problem problem = join_drawing(drawing_, text_size_, 0, file_.warnings)) return *problem;
   const std::vector<Marked> free = free_vertices();
+  warn_of_sides();
   const NestedFaces nested = nest_faces(drawing_.lines, probes(free));
   std::vector<char> filled;
   std::vector<std::string> names;
