@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/rng.h"
 #include "catch.h"
 #include "io/mesh/msh.h"
 #include "io/surface/msh_surface.h"
@@ -94,6 +95,26 @@ TEST_CASE("parts of a partitioned mesh have the names of the whole, and no borde
         CHECK(std::count(tags.begin(), tags.end(), "low") == (grouped ? 2 : 0));
       }
     }
+}
+
+TEST_CASE("a partitioned MSH file that is cut or damaged is refused, or a mesh") {
+  Rng rng(7);
+  for (const bool old : {false, true}) {
+    const std::string text = partitioned(old, true);
+    for (const std::string& bytes : {text, msh_bytes(text)}) {
+      for (std::size_t length = 0; length + 1 < bytes.size(); ++length)
+        CHECK_FALSE(read_msh(bytes.substr(0, length)).has_value());
+      for (int round = 0; round < 2000; ++round) {
+        std::string damaged = bytes;
+        damaged[rng.below(damaged.size())] = static_cast<char>(rng.below(256));
+        const auto mesh = read_msh(damaged);
+        if (!mesh) continue;
+        for (const Face& face : mesh->faces)
+          for (int k = 0; k < corner_count(face); ++k)
+            CHECK(face[k] < static_cast<Index>(mesh->points.size()));
+      }
+    }
+  }
 }
 
 TEST_CASE("of overlapping physical groups the first counts, which is told") {

@@ -2,8 +2,9 @@
 // manual, "MSH file format"). With triangles or quads: the boundary of each group of faces
 // (physical surface, else elementary surface) is a region of its name; line elements give tags to
 // edges, and stay as polylines inside a region; points with a physical name inside become tagged
-// points. Without faces the lines alone are the outlines, under the even-odd rule as in
-// svg_domain.h.
+// points. Of several physical groups the first counts, with a warning; parts of a partitioned mesh
+// belong to their wholes. Without faces the lines alone are the outlines, under the even-odd rule
+// as in svg_domain.h.
 #pragma once
 
 #include <string_view>

@@ -3,7 +3,8 @@
 // material unless a hole point lies in it; segments that divide it make neighbouring regions,
 // other segments inside become polylines, vertices without segments points. A marker m other than 0
 // becomes the tag "marker m"; the attribute a of a region becomes the name "region a" of the face
-// its point lies in. Attributes of vertices are ignored, area limits with a warning.
+// its point lies in. Told are points that have no effect, and vertices on segments, which are left
+// out. Attributes of vertices are ignored, area limits with a warning.
 // Unlike Triangle with -c, the convex hull is not taken: the outline must consist of segments.
 #pragma once
 
