@@ -243,6 +243,43 @@ TEST_CASE("what crosses is painted by its rule, and taken as one") {
           0.5);
 }
 
+TEST_CASE("what crosses the border of a hole lies in the paint around the hole") {
+  const auto area = [](const std::string& content) { return total_area(read_svg(content).domain); };
+  const std::string holed = "<path fill-rule='evenodd' d='M0 0H100V60H0Z M20 20H50V40H20Z'/>";
+  const std::string turned = "<path d='M0 0H100V60H0Z M20 20V40H50V20Z'/>";
+  for (const std::string& plate : {holed, turned}) {
+    CHECK(area(plate + "<rect x='40' y='25' width='40' height='10'/>") == 5400 + 100);
+    CHECK(area("<rect x='10' y='25' width='50' height='10'/>" + plate) == 5400 + 300);
+    CHECK(area(plate + "<rect x='40' y='25' width='80' height='10'/>") == 5400 + 100 + 200);
+    CHECK(area(plate + "<rect x='-9' y='-9' width='10' height='10'/>") == 5400 + 99);
+    // What meets nothing of these nests as ever, in the material and in the hole.
+    const std::string bar = plate + "<rect x='40' y='25' width='40' height='10'/>";
+    CHECK(area(bar + "<rect x='85' y='5' width='10' height='10'/>") == 5500 - 100);
+    CHECK(area(bar + "<rect x='25' y='25' width='10' height='10'/>") == 5500 + 100);
+    // So do others that cross.
+    CHECK(area(bar + "<rect x='85' y='5' width='10' height='10'/>"
+                     "<rect x='90' y='10' width='5' height='10'/>") == 5500 - 125);
+  }
+  // One element by its rule: where the hole and the bar overlap, it winds once.
+  CHECK(area("<path d='M0 0H100V60H0Z M20 20V40H50V20Z M40 10V50H60V10Z'/>") ==
+        6000 - 600 - 800 + 2 * 200);
+  const double filled = area(
+      "<path fill-rule='evenodd' d='M0 0H100V60H0Z M60 30A10 10 0 1 0 40 30A10 10 0 1 0 60 30Z'/>"
+      "<circle cx='50' cy='30' r='10'/>");
+  CHECK(std::abs(filled - 6000) < 1);
+}
+
+TEST_CASE("a neighbour of what crosses stays") {
+  for (const char* neighbour : {"<rect x='-10' width='10' height='10'/>",
+                                "<path d='M0 0H-10V10H0Z'/>", "<path d='M0 10V0H-10V10Z'/>"}) {
+    const std::string two =
+        "<rect width='10' height='10'/><rect x='5' y='5' width='10' "
+        "height='10'/>";
+    CHECK(total_area(read_svg(two + neighbour).domain) == 275);
+    CHECK(total_area(read_svg(neighbour + two).domain) == 275);
+  }
+}
+
 namespace {
 
 constexpr int bar_cells = 12;
@@ -395,6 +432,24 @@ TEST_CASE("style sheets hide and fill by name, class and id") {
   REQUIRE(partly.warnings.size() == 1);
   CHECK(partly.warnings[0].message ==
         "Style rules for more than a name, a class or an id were left out: 3.");
+}
+
+TEST_CASE("style sheets without text, and within each other, are read once") {
+  std::string many;
+  for (int i = 0; i < 20'000; ++i) many += "<style/>";
+  // What follows an empty element is not in it.
+  const auto file = read_svg(many + "<rect width='9' height='9'/>rect{display:none}");
+  CHECK(total_area(file.domain) == 81);
+  std::string classes, rules;
+  for (int i = 0; i < 4'000; ++i) {
+    classes += "a ";
+    rules += ".a{fill:red}";
+  }
+  const auto none = read_svg("<style>" + rules +
+                             ".a.a{display:none}</style><rect width='9' "
+                             "height='9'/><circle r='1' class='" +
+                             classes + "'/>");
+  CHECK(none.domain.regions.size() == 1);
 }
 
 TEST_CASE("SVG that is none, or has nothing to mesh") {

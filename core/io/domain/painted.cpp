@@ -1,6 +1,7 @@
 // Once its lines are divided where they meet, the crossing outlines are a plane map: from the
 // outside, where nothing is painted, the winding number of each element changes with its own edges
-// alone, and tells by its rule which faces it paints.
+// alone, and tells by its rule which faces it paints. All outlines of an element count there: a
+// shape that crosses the border of a hole alone lies in what is painted around the hole.
 #include "io/domain/painted.h"
 
 #include <algorithm>
@@ -65,16 +66,17 @@ class Painter {
         sides_(find_sides(map.lines)),
         component_(component_of_points(map.lines, std::vector<char>(map.lines.edges.size(), 1))) {}
 
-  /// False: too many steps.
-  bool paint();
+  /// False: more steps than `steps_left`, from which they are taken.
+  bool paint(std::size_t& steps_left);
   void close_gaps(double tolerance);
   /// Paint on one side alone: the edge with that on its left.
   std::optional<LineWork::Edge> border(std::size_t edge) const;
 
  private:
   struct Step {
-    Index half_edge, from, to;
+    Index half_edge, from, to;  // none: to a part of the map that lies in a face
   };
+  Csr<Index> parts_within() const;
   std::vector<Step> steps_inwards() const;
   int change(Index half_edge, Index source) const;
 
@@ -85,30 +87,59 @@ class Painter {
   std::vector<char> painted_;     // #walks
 };
 
-/// From the walks around components to all others, each once.
+/// Of each face's walk: those around the parts that lie in the face.
+Csr<Index> Painter::parts_within() const {
+  const std::vector<LineWork::Edge>& edges = map_.lines.edges;
+  std::vector<Index> outer(component_.size(), none), around(component_.size(), none);
+  for (std::size_t h = 0; h < sides_.walk.size(); ++h)
+    if (sides_.is_outer[sides_.walk[h]]) outer[component_[edges[h / 2].a]] = sides_.walk[h];
+  const NestedFaces nested = nest_faces(map_.lines);
+  const std::vector<Walk>& faces = nested.planar.faces;
+  const auto note = [&](const Walk& walk, Index face) {
+    if (face == none) return;
+    const Index e = faces[face].edges.front(), start = faces[face].points.front();
+    const Index part = component_[walk.points.front()];
+    if (component_[start] != part) around[part] = sides_.walk[2 * e + (edges[e].a != start)];
+  };
+  for (std::size_t f = 0; f < faces.size(); ++f) note(faces[f], nested.tree.parent[f]);
+  for (std::size_t c = 0; c < nested.planar.chains.size(); ++c)
+    note(nested.planar.chains[c], nested.around_chain(c));
+  return csr_from<Index>(sides_.is_outer.size(), [&](auto&& emit) {
+    for (std::size_t i = 0; i < around.size(); ++i)
+      if (around[i] != none && outer[i] != none) emit(around[i], outer[i]);
+  });
+}
+
+/// From the outside to all walks, each once.
 std::vector<Painter::Step> Painter::steps_inwards() const {
   const std::size_t count = sides_.is_outer.size();
+  const Csr<Index> within = parts_within();
   const Csr<Index> half_edges = csr_from<Index>(count, [&](auto&& emit) {
     for (std::size_t h = 0; h < sides_.walk.size(); ++h)
       emit(sides_.walk[h], static_cast<Index>(h));
   });
   std::vector<char> known(sides_.is_outer);
+  for (const Index part : within.values) known[part] = 0;
   std::vector<Index> reached;
   for (std::size_t w = 0; w < count; ++w)
     if (known[w]) reached.push_back(static_cast<Index>(w));
   std::vector<Step> steps;
-  for (std::size_t i = 0; i < reached.size(); ++i)
-    for (const Index h : half_edges.row(reached[i])) {
-      const Index to = sides_.walk[h ^ 1];
-      if (std::exchange(known[to], 1)) continue;
-      steps.push_back({h, reached[i], to});
-      reached.push_back(to);
-    }
+  const auto reach = [&](Index h, Index from, Index to) {
+    if (std::exchange(known[to], 1)) return;
+    steps.push_back({h, from, to});
+    reached.push_back(to);
+  };
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    const Index from = reached[i];
+    for (const Index h : half_edges.row(from)) reach(h, from, sides_.walk[h ^ 1]);
+    for (const Index part : within.row(from)) reach(none, from, part);
+  }
   return steps;
 }
 
 /// Of the winding number of what the source drew, from the left of the half-edge to its right.
 int Painter::change(Index half_edge, Index source) const {
+  if (half_edge == none) return 0;
   int sum = 0;
   for (const Use& use : map_.uses.row(half_edge / 2))
     if (use.source == source) sum += use.way;
@@ -119,17 +150,17 @@ std::optional<LineWork::Edge> Painter::border(std::size_t edge) const {
   const bool left = painted_[sides_.walk[2 * edge]], right = painted_[sides_.walk[2 * edge + 1]];
   if (left == right) return std::nullopt;
   LineWork::Edge border = map_.lines.edges[edge];
-  border.painted = component_[border.a];
   if (right) std::swap(border.a, border.b);
   return border;
 }
 
-bool Painter::paint() {
+bool Painter::paint(std::size_t& steps_left) {
   std::vector<Index> sources;
   for (const Use& use : map_.uses.values) sources.push_back(use.source);
   sort_unique(sources);
   const std::vector<Step> steps = steps_inwards();
-  if (steps.size() * sources.size() > most_steps) return false;
+  if (steps.size() > steps_left / sources.size()) return false;
+  steps_left -= steps.size() * sources.size();
   painted_.assign(sides_.is_outer.size(), 0);
   for (const Index source : sources) {
     std::vector<int> winding(painted_.size(), 0);
@@ -160,11 +191,21 @@ struct Parted {
   LineWork alone, crossing;
 };
 
-/// The painted outlines that meet others, or themselves, and all other lines.
+/// What hangs together, also as outlines of one of the sources: first the points, then the sources.
+DisjointSets sets_of(const LineWork& lines, std::size_t sources) {
+  const auto points = static_cast<Index>(lines.points.size());
+  DisjointSets sets(points + static_cast<Index>(sources));
+  for (const LineWork::Edge& edge : lines.edges) {
+    sets.unite(edge.a, edge.b);
+    sets.unite(edge.a, points + edge.source);
+  }
+  return sets;
+}
+
+/// The outlines of painted elements that meet others, or themselves, and all other lines.
 Parted part(const LineWork& lines, const std::vector<char>& is_painted,
-            const std::vector<std::pair<Index, Index>>& meeting) {
-  DisjointSets outlines(static_cast<Index>(lines.points.size()));
-  for (const LineWork::Edge& edge : lines.edges) outlines.unite(edge.a, edge.b);
+            const std::vector<std::pair<Index, Index>>& meeting, std::size_t sources) {
+  DisjointSets outlines = sets_of(lines, sources);
   for (const auto& [p, q] : meeting) outlines.unite(p, q);
   std::vector<char> meets(lines.points.size(), 0);
   for (const auto& [p, q] : meeting) meets[outlines.root(p)] = 1;
@@ -185,6 +226,44 @@ void append(const LineWork::Edge& edge, const LineWork& from, LineWork& lines) {
   lines.edges.push_back({a, a + 1, edge.source, edge.painted});
 }
 
+/// The edges, by what hangs together.
+Csr<Index> groups_of(const LineWork& lines, std::size_t sources) {
+  DisjointSets sets = sets_of(lines, sources);
+  std::vector<Index> number(lines.points.size() + sources, none), group;
+  Index count = 0;
+  for (const LineWork::Edge& edge : lines.edges) {
+    Index& known = number[sets.root(edge.a)];
+    if (known == none) known = count++;
+    group.push_back(known);
+  }
+  return members_of(group, static_cast<std::size_t>(count));
+}
+
+/// The borders of what divided outlines paint, group by group: what lies within a group without
+/// meeting it is not painted over by it. Nothing: too many steps.
+std::optional<LineWork> painted_borders(const LineWork& divided, std::span<const FillRule> rules,
+                                        double tolerance) {
+  LineWork borders;
+  std::size_t steps_left = most_steps;
+  const Csr<Index> groups = groups_of(divided, rules.size());
+  for (Index g = 0; g < groups.rows(); ++g) {
+    LineWork own;
+    for (const Index e : groups.row(g)) append(divided.edges[e], divided, own);
+    merge_equal_points(own);
+    const Map map = map_of(own);
+    Painter painter(map, rules);
+    if (!painter.paint(steps_left)) return std::nullopt;
+    painter.close_gaps(tolerance);
+    for (std::size_t e = 0; e < map.lines.edges.size(); ++e) {
+      auto border = painter.border(e);
+      if (!border) continue;
+      border->painted = g;
+      append(*border, map.lines, borders);
+    }
+  }
+  return borders;
+}
+
 }  // namespace
 
 std::optional<Vec2> unite_painted(LineWork& lines, std::span<const FillRule> rules,
@@ -202,48 +281,20 @@ std::optional<Vec2> unite_painted(LineWork& lines, std::span<const FillRule> rul
   std::vector<std::pair<Index, Index>> meeting;
   for (const Crossing& c : *crossings)
     meeting.push_back({painted.edges[c.edge].a, painted.edges[c.other].a});
-  Parted parted = part(lines, is_painted, meeting);
+  Parted parted = part(lines, is_painted, meeting, rules.size());
   if (!divide_at_crossings(parted.crossing, rounding * drawing_size(lines))) return std::nullopt;
-  const Map map = map_of(parted.crossing);
-  Painter painter(map, rules);
-  if (!painter.paint()) return std::nullopt;
-  painter.close_gaps(tolerance);
+  const auto borders = painted_borders(parted.crossing, rules, tolerance);
+  if (!borders) return std::nullopt;
 
   const Vec2 place = lines.points[meeting.front().first];
   lines = LineWork();
   for (const LineWork::Edge& edge : parted.alone.edges) append(edge, parted.alone, lines);
-  for (std::size_t e = 0; e < map.lines.edges.size(); ++e)
-    if (const auto border = painter.border(e)) append(*border, map.lines, lines);
+  for (const LineWork::Edge& edge : borders->edges) append(edge, *borders, lines);
   std::stable_sort(
       lines.edges.begin(), lines.edges.end(),
       [](const LineWork::Edge& e, const LineWork::Edge& f) { return e.source < f.source; });
   merge_equal_points(lines);
   return place;
-}
-
-std::vector<char> painted_faces(const LineWork& lines, const NestedFaces& nested) {
-  const std::vector<Walk>& faces = nested.planar.faces;
-  std::vector<Index> united(faces.size(), none), order;
-  std::vector<char> painted(faces.size(), 1), filled(faces.size(), 0);
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    order.push_back(static_cast<Index>(f));
-    for (std::size_t i = 0; i < faces[f].edges.size(); ++i) {
-      const LineWork::Edge& edge = lines.edges[faces[f].edges[i]];
-      if (edge.painted == none) continue;
-      united[f] = edge.painted;
-      painted[f] = edge.a == faces[f].points[i];  // faces are to the left of their walks
-    }
-  }
-  std::stable_sort(order.begin(), order.end(), [&nested](Index f, Index g) {
-    return nested.tree.depth[f] < nested.tree.depth[g];
-  });
-  for (const Index f : order) {
-    Index around = nested.tree.parent[f];
-    while (around != none && united[f] != none && united[around] == united[f])
-      around = nested.tree.parent[around];
-    filled[f] = painted[f] != (around != none && filled[around]);
-  }
-  return filled;
 }
 
 }  // namespace lpq

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/sort_unique.h"
 #include "io/plain_text.h"
 
 namespace lpq {
@@ -76,13 +77,15 @@ StyleSheet::StyleSheet(std::string_view svg) {
       svg.find("<svg:style") == std::string_view::npos)
     return;
   XmlReader xml(svg);  // what is wrong in the text is said where it is read
+  std::size_t end = 0;
   for (auto event = xml.next(); event == XmlReader::Event::open || event == XmlReader::Event::close;
        event = xml.next()) {
     if (event != XmlReader::Event::open || xml.name() != "style") continue;
     const std::string type = svg_attribute(xml, "type");
-    if (!type.empty() && type != "text/css") continue;
-    const std::string_view rest = svg.substr(xml.position());
-    texts_.push_back(plain_css(rest.substr(0, rest.find("</"))));
+    if ((!type.empty() && type != "text/css") || xml.closes_itself()) continue;
+    if (xml.position() < end) continue;  // in one that is read: few bytes are not to become many
+    end = std::min(svg.find("</", xml.position()), svg.size());
+    texts_.push_back(plain_css(svg.substr(xml.position(), end - xml.position())));
   }
   for (const std::string& text : texts_) read(text);
 }
@@ -156,7 +159,7 @@ bool StyleSheet::applies(const Rule& rule, const Element& element) {
   return (rule.tag == "*" || rule.tag == element.tag) &&
          (rule.id.empty() || rule.id == element.id) &&
          std::all_of(rule.classes.begin(), rule.classes.end(), [&](std::string_view name) {
-           return std::find(classes.begin(), classes.end(), name) != classes.end();
+           return std::binary_search(classes.begin(), classes.end(), name);
          });
 }
 
@@ -170,10 +173,10 @@ std::string_view StyleSheet::value(const XmlReader& xml, std::string_view proper
   std::vector<std::string> keys{"#" + id, std::string(xml.name()), "*"};
   for (std::string_view rest = listed; !rest.empty();) {
     const std::string_view name = take_until(rest, ' ');  // xml_value made all blanks this one
-    if (name.empty()) continue;
-    element.classes.push_back(name);
-    keys.push_back("." + std::string(name));
+    if (!name.empty()) element.classes.push_back(name);
   }
+  sort_unique(element.classes);
+  for (const std::string_view name : element.classes) keys.push_back("." + std::string(name));
   const Rule* best = nullptr;
   for (const std::string& key : keys) {
     const auto found = rules_.find(key);

@@ -47,7 +47,7 @@ class StyleSheet {
 
   struct Element {
     std::string_view tag, id;
-    std::vector<std::string_view> classes;
+    std::vector<std::string_view> classes;  // in order, each once
   };
 
   void read(std::string_view css);

@@ -30,6 +30,7 @@ class XmlReader {
   /// Of the tag read last; without the prefix "svg:".
   std::string_view name() const { return name_; }
   std::size_t byte() const { return tag_; }  // of its '<'
+  bool closes_itself() const { return closes_itself_; }
   /// The first byte that is not read yet.
   std::size_t position() const { return at_; }
   /// The attribute of that full name, or null.
