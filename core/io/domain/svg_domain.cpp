@@ -77,6 +77,9 @@ void SvgReader::warn_of_elements() {
        "Open paths were closed, as their fill is: " + std::to_string(closed_by_fill_) + ".",
        ErrorCode::adapted);
   warn(found_.left_out.any(), "Left out: " + found_.left_out.text() + ".");
+  warn(found_.not_applied.any(),
+       "Not applied: " + found_.not_applied.text() +
+           ". Apply it to the outlines in the drawing program and save the file again.");
   warn(found_.unread_rules > 0,
        "Style rules for more than a name, a class or an id were left out: " +
            std::to_string(found_.unread_rules) + ".");

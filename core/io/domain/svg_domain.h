@@ -6,14 +6,16 @@
 // <line>) are joined at their ends, and lines are divided where others end on them; what closes
 // is an outline, what stays open inside becomes a polyline.
 // An element's id becomes the name of its region and the tag of its edges, or the id of the <use>
-// that draws it. <use> draws elements of the same file, also <symbol> and what is in <defs>; where
-// it gives a width and a height, a <symbol> fills these with its viewBox.
+// that draws it. <use> draws elements of the same file, also <symbol> and what is in <defs>. <svg>
+// within <svg>, and a <symbol> for its <use>, fill their width and height with their viewBox; of
+// <switch> the first child is drawn that applies to English text without extensions.
 // y points up in a mesh: every y is negated, after all transforms. viewBox, width, height and units
-// of the page are ignored: coordinates are the drawing's own ("user units").
+// of the page are ignored but for percentages: coordinates are the drawing's own ("user units").
+// Lengths and transforms may be said in attributes and in styles.
 // Left out without a word: <clipPath>, <mask>, <pattern>, <marker>, display none and visibility
-// hidden; with a warning: <text>, <image>, <use> of other files. Of style sheets
-// (<style>), rules for display, visibility and fill are read whose selectors are a name, a class or
-// an id.
+// hidden; with a warning: <text>, <image>, <use> of other files, and what clip-path and mask would
+// hide, which is drawn. Of style sheets (<style>), rules are read whose selectors are a name, a
+// class or an id (svg_style.h).
 #pragma once
 
 #include <string_view>

@@ -8,11 +8,16 @@
 
 #include "io/domain/svg_shapes.h"
 #include "io/domain/svg_style.h"
+#include "io/domain/svg_transform.h"
 #include "io/domain/svg_view_box.h"
+#include "io/plain_text.h"
 #include "io/text_place.h"
 
 namespace lpq {
 namespace {
+
+/// Which children are drawn: all, or of <switch> the first that applies.
+enum class Choice : char { all, open, taken };
 
 /// What an element hands down to those in it.
 struct Inherited {
@@ -22,10 +27,31 @@ struct Inherited {
   bool filled = true;  // SVG's initial fill is black
   FillRule rule = FillRule::nonzero;
   std::string name;  // of the <use> around, if that has one
+  LengthUnits units;
+  Choice choice = Choice::all;
 };
 
 bool is_one_of(std::string_view name, std::initializer_list<std::string_view> list) {
   return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+/// What draws nothing by itself; <symbol> only for a <use>.
+bool is_held_back(std::string_view name, bool is_target) {
+  return is_one_of(name, {"defs", "clipPath", "mask", "pattern", "marker", "metadata",
+                          "foreignObject", "style", "script"}) ||
+         (name == "symbol" && !is_target);
+}
+
+/// Of "de, en-GB": whether the language of this text is among them.
+bool speaks_english(std::string languages) {
+  languages = lower_case(std::move(languages));
+  for (std::size_t at = 0; at < languages.size();) {
+    const std::size_t end = std::min(languages.find(',', at), languages.size());
+    const std::string_view one = trimmed(std::string_view(languages).substr(at, end - at), " ");
+    if (one == "en" || one.substr(0, 3) == "en-") return true;
+    at = end + 1;
+  }
+  return false;
 }
 
 class SvgWalker {
@@ -48,7 +74,7 @@ class SvgWalker {
   /// An element that is drawn for a <use>.
   struct Copy {
     std::size_t target;  // byte of its tag
-    std::optional<Vec2> size;
+    std::optional<double> width, height;
   };
 
   void fail(Error error) {
@@ -60,11 +86,16 @@ class SvgWalker {
   void accept(const XmlAttribute& attribute, const MaybeProblem& problem) {
     if (problem) fail(attribute_error(text_, xml_, attribute, *problem));
   }
-  double length(const char* name) {
-    double value = 0;
-    if (const XmlAttribute* attribute = xml_.find(name))
-      accept(*attribute, read_length(xml_value(attribute->raw), value));
-    return value;
+  double length(const char* name, const LengthUnits& units) {
+    MaybeProblem problem;
+    const auto found = find_svg_length(xml_, sheet_, units, name, problem);
+    if (problem) fail(svg_length_error(text_, xml_, sheet_, name, *problem));
+    return found.value_or(0);
+  }
+  /// Width or height, where it is a length.
+  std::optional<double> extent(const char* name, const LengthUnits& units) const {
+    MaybeProblem unsaid;
+    return find_svg_length(xml_, sheet_, units, name, unsaid);
   }
   std::int64_t line_of(std::size_t byte) const {
     return 1 + (std::lower_bound(line_ends_.begin(), line_ends_.end(), byte) - line_ends_.begin());
@@ -72,13 +103,13 @@ class SvgWalker {
 
   bool step();
   void open_element();
+  bool is_chosen(Choice& choice) const;
   void read_properties(Inherited& own, bool is_target);
   void draw_shape(const Inherited& own);
   void draw_use(Inherited own);
   std::optional<std::size_t> target_of_use();
-  std::optional<Vec2> size_of_use() const;
   void draw_copy(const Inherited& own);
-  void fit_symbol(Inherited& own);
+  void enter_view(Inherited& own, bool is_target);
 
   std::string_view text_;
   XmlReader xml_;
@@ -119,11 +150,10 @@ void SvgWalker::open_element() {
     return fail("This is not SVG: the outermost element is <" + std::string(name.substr(0, 40)) +
                 ">.");
   Inherited own = around_.back();
+  own.choice = name == "switch" ? Choice::open : Choice::all;
+  if (own.drawn) own.drawn = is_chosen(around_.back().choice);
   if (own.drawn) {
-    const bool held_back = is_one_of(name, {"defs", "clipPath", "mask", "pattern", "marker",
-                                            "metadata", "foreignObject", "style", "script"}) ||
-                           (name == "symbol" && !is_target);
-    own.drawn = svg_property(xml_, sheet_, "display") != "none" && !held_back;
+    own.drawn = svg_property(xml_, sheet_, "display") != "none" && !is_held_back(name, is_target);
     if (is_one_of(name, {"text", "image", "foreignObject"})) found_.left_out.add(name);
   }
   if (own.drawn) {
@@ -138,6 +168,18 @@ void SvgWalker::open_element() {
   around_.push_back(std::move(own));
 }
 
+/// Whether the element is drawn by the choice around it [SVG 1.1, 5.8].
+bool SvgWalker::is_chosen(Choice& choice) const {
+  if (choice != Choice::open) return choice == Choice::all;
+  if (is_held_back(xml_.name(), false) || is_one_of(xml_.name(), {"title", "desc"})) return false;
+  if (xml_.find("requiredExtensions") != nullptr) return false;
+  if (xml_.find("systemLanguage") != nullptr &&
+      !speaks_english(svg_attribute(xml_, "systemLanguage")))
+    return false;
+  choice = Choice::taken;
+  return true;
+}
+
 void SvgWalker::read_properties(Inherited& own, bool is_target) {
   const std::string fill = svg_property(xml_, sheet_, "fill");
   if (!fill.empty() && fill != "inherit") own.filled = fill != "none" && fill != "transparent";
@@ -146,14 +188,25 @@ void SvgWalker::read_properties(Inherited& own, bool is_target) {
   if (rule == "nonzero") own.rule = FillRule::nonzero;
   const std::string visibility = svg_property(xml_, sheet_, "visibility");
   if (!visibility.empty() && visibility != "inherit") own.visible = visibility == "visible";
-  if (const XmlAttribute* transform = xml_.find("transform"))
-    accept(*transform, read_transform(xml_value(transform->raw), own.map));
-  if (is_target && is_one_of(xml_.name(), {"symbol", "svg"})) fit_symbol(own);
+  const std::string font_size = svg_property(xml_, sheet_, "font-size");
+  const LengthUnits font{own.units.em, Vec2{own.units.em, own.units.em}};
+  if (!font_size.empty()) read_length(font_size, own.units.em, font);  // words change nothing
+  for (const char* hides : {"clip-path", "mask"}) {
+    const std::string value = svg_property(xml_, sheet_, hides);
+    if (!value.empty() && value != "none") found_.not_applied.add(hides);
+  }
+  if (auto problem =
+          apply_svg_transform(text_, xml_, sheet_, own.units, own.map, found_.not_applied))
+    fail(*std::move(problem));
+  if (xml_.name() == "svg" || xml_.name() == "symbol") enter_view(own, is_target);
 }
 
 void SvgWalker::draw_shape(const Inherited& own) {
+  if (xml_.name() == "path" && !styled_property(xml_, sheet_, "d").empty())
+    found_.not_applied.add("d of a style");
   std::vector<Subpath> subpaths;
-  if (auto error = read_svg_shape(text_, xml_, subpaths)) return fail(*std::move(error));
+  if (auto error = read_svg_shape(text_, xml_, sheet_, own.units, subpaths))
+    return fail(*std::move(error));
   if (subpaths.empty()) return;
   const XmlAttribute* data = xml_.find("d");
   const std::size_t byte = data != nullptr ? data->byte : xml_.byte();
@@ -169,8 +222,9 @@ void SvgWalker::draw_shape(const Inherited& own) {
 
 /// The byte of the element that a <use> names; where there is none, a word about it.
 std::optional<std::size_t> SvgWalker::target_of_use() {
-  std::string link = svg_attribute(xml_, "href");
-  if (link.empty()) link = svg_attribute(xml_, "xlink:href");
+  const XmlAttribute* href = xml_.find_prefixed("href");
+  const std::string value = href == nullptr ? "" : xml_value(href->raw);
+  const std::string_view link = trimmed(value, " ");
   if (!targets_) {
     targets_.emplace();
     XmlReader all(text_);  // what is wrong in the text is said where it is read
@@ -181,19 +235,10 @@ std::optional<std::size_t> SvgWalker::target_of_use() {
     }
   }
   const bool is_elsewhere = !link.empty() && link[0] != '#';
-  const auto found = targets_->find(link.substr(link.empty() ? 0 : 1));
+  const auto found = targets_->find(std::string(link.substr(link.empty() ? 0 : 1)));
   if (!link.empty() && !is_elsewhere && found != targets_->end()) return found->second;
   found_.left_out.add(is_elsewhere ? "use of another file" : "use without its element");
   return std::nullopt;
-}
-
-/// Width and height, where both are lengths.
-std::optional<Vec2> SvgWalker::size_of_use() const {
-  Vec2 size;
-  const std::string width = svg_attribute(xml_, "width"), height = svg_attribute(xml_, "height");
-  if (width.empty() || height.empty()) return std::nullopt;
-  if (read_length(width, size.x) || read_length(height, size.y)) return std::nullopt;
-  return size;
 }
 
 void SvgWalker::draw_use(Inherited own) {
@@ -204,17 +249,17 @@ void SvgWalker::draw_use(Inherited own) {
   if (copies_.size() == deepest_use)
     return fail("<use> is nested more than " + std::to_string(deepest_use) + " deep.",
                 ErrorCode::too_large);
-  own.map = own.map * Affine{1, 0, 0, 1, length("x"), length("y")};
+  own.map = own.map * Affine{1, 0, 0, 1, length("x", own.units), length("y", own.units)};
   if (own.name.empty()) own.name = svg_attribute(xml_, "id");
   if (error_) return;
-  copies_.push_back({*target, size_of_use()});
+  copies_.push_back({*target, extent("width", own.units), extent("height", own.units)});
   draw_copy(own);
   copies_.pop_back();
 }
 
 /// Reads the element of the innermost copy where `own` says.
 void SvgWalker::draw_copy(const Inherited& own) {
-  XmlReader outside = std::exchange(xml_, XmlReader(text_, copies_.back().target));
+  XmlReader outside = std::exchange(xml_, xml_.at(copies_.back().target));
   around_.push_back(own);
   at_target_ = true;
   const std::size_t depth = around_.size();
@@ -224,15 +269,33 @@ void SvgWalker::draw_copy(const Inherited& own) {
   xml_ = std::move(outside);
 }
 
-/// A <symbol> fills the width and height of its <use>, or its own [SVG 1.1, 7.8]; without both, or
-/// without a viewBox, coordinates stay as they are, as those of the page do.
-void SvgWalker::fit_symbol(Inherited& own) {
-  const XmlAttribute* view_box = xml_.find("viewBox");
-  std::optional<Vec2> size = copies_.back().size;
-  if (!size) size = size_of_use();
-  if (view_box == nullptr || !size) return;
-  accept(*view_box, fit_view_box(xml_value(view_box->raw),
-                                 svg_attribute(xml_, "preserveAspectRatio"), *size, own.map));
+/// <svg> in <svg> and the <symbol> of a <use> fill the width and height of their <use>, or their
+/// own, or all of the view around them [SVG 1.1, 5.1.2 and 7.9]. Where that is not known,
+/// coordinates stay as they are, as those of the page do.
+void SvgWalker::enter_view(Inherited& own, bool is_target) {
+  const bool is_page = around_.size() == 1;
+  const auto size_of = [&](const char* name, std::optional<double> Copy::*of_use,
+                           double Vec2::*part) {
+    std::optional<double> size = is_target ? copies_.back().*of_use : std::nullopt;
+    if (!size) size = extent(name, own.units);
+    if (!size && own.units.view) size = *own.units.view.*part;
+    return size;
+  };
+  const auto width = size_of("width", &Copy::width, &Vec2::x);
+  const auto height = size_of("height", &Copy::height, &Vec2::y);
+  if (xml_.name() == "svg" && !is_page)
+    own.map = own.map * Affine{1, 0, 0, 1, length("x", own.units), length("y", own.units)};
+  own.units.view.reset();
+  if (width && height) own.units.view = Vec2{*width, *height};
+  if (!is_page && (width == 0 || height == 0)) own.drawn = false;  // nothing is [SVG 1.1, 5.1.2]
+  const XmlAttribute* attribute = xml_.find("viewBox");
+  if (attribute == nullptr || !own.drawn) return;
+  const std::string view_box = xml_value(attribute->raw);
+  if (!is_page && own.units.view)
+    accept(*attribute, fit_view_box(view_box, svg_attribute(xml_, "preserveAspectRatio"),
+                                    *own.units.view, own.map));
+  Vec2 corner, size;
+  if (!read_view_box(view_box, corner, size)) own.units.view = size;
 }
 
 }  // namespace

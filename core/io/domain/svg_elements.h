@@ -21,6 +21,7 @@ struct SvgOutline {
 struct SvgOutlines {
   std::vector<SvgOutline> outlines;
   Counter left_out;        // elements that draw what is not read
+  Counter not_applied;     // what would hide or move parts of what is drawn
   Index unread_rules = 0;  // of style sheets, about what is drawn and filled (svg_style.h)
 };
 

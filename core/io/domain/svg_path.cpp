@@ -1,11 +1,9 @@
 // See svg_path.h.
 #include "io/domain/svg_path.h"
 
-#include <array>
 #include <cmath>
 
-#include "io/number.h"
-#include "io/plain_text.h"
+#include "io/domain/svg_scanner.h"
 #include "numerics/elementary.h"
 
 namespace lpq {
@@ -14,77 +12,6 @@ namespace {
 bool is_command(char c) {
   return c != '\0' && std::string_view("MmZzLlHhVvCcSsQqTtAa").find(c) != std::string_view::npos;
 }
-
-/// Numbers as SVG packs them: "1-2.5.5e3" is 1, -2.5, .5e3.
-class Scanner {
- public:
-  explicit Scanner(std::string_view text) : text_(text) {}
-
-  std::size_t at() const { return at_; }
-  bool at_end() { return peek() == '\0' && at_ >= text_.size(); }
-  /// The next character that is not a separator, '\0' at the end.
-  char peek() {
-    while (at_ < text_.size() && is_separator(text_[at_])) ++at_;
-    return at_ < text_.size() ? text_[at_] : '\0';
-  }
-  char take() {
-    const char c = peek();
-    if (at_ < text_.size()) ++at_;
-    return c;
-  }
-  bool starts_number() {
-    const char c = peek();
-    return is_digit(c) || c == '.' || c == '-' || c == '+';
-  }
-  bool number(double& value) {
-    peek();
-    const std::size_t start = at_;
-    if (at_ < text_.size() && (text_[at_] == '-' || text_[at_] == '+')) ++at_;
-    digits();
-    if (at_ < text_.size() && text_[at_] == '.') {
-      ++at_;
-      digits();
-    }
-    exponent();
-    if (parse_number(text_.substr(start, at_ - start), value)) return true;
-    at_ = start;
-    return false;
-  }
-  bool point(Vec2& p) { return number(p.x) && number(p.y); }
-  /// Flags of arcs are one character and need no separator.
-  bool flag(bool& value) {
-    const char c = peek();
-    if (c != '0' && c != '1') return false;
-    ++at_;
-    value = c == '1';
-    return true;
-  }
-  std::string_view word() {
-    peek();
-    const std::size_t start = at_;
-    while (at_ < text_.size() && is_letter(text_[at_])) ++at_;
-    return text_.substr(start, at_ - start);
-  }
-
- private:
-  static bool is_separator(char c) {
-    return c == ' ' || c == ',' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
-  }
-  void digits() {
-    while (at_ < text_.size() && is_digit(text_[at_])) ++at_;
-  }
-  void exponent() {
-    if (at_ >= text_.size() || (text_[at_] != 'e' && text_[at_] != 'E')) return;
-    std::size_t next = at_ + 1;
-    if (next < text_.size() && (text_[next] == '-' || text_[next] == '+')) ++next;
-    if (next >= text_.size() || !is_digit(text_[next])) return;  // "1em", "1e"
-    at_ = next;
-    digits();
-  }
-
-  std::string_view text_;
-  std::size_t at_ = 0;
-};
 
 class PathReader {
  public:
@@ -201,7 +128,7 @@ class PathReader {
   Vec2 mirrored() const { return path_.current() + (path_.current() - control_); }
 
   enum class Mirror { none, cubic, quadratic };  // which kind of control point S and T continue
-  Scanner scan_;
+  SvgScanner scan_;
   std::vector<Subpath>& subpaths_;
   CurvePath path_;
   Vec2 start_, control_;
@@ -209,82 +136,10 @@ class PathReader {
   Mirror mirror_ = Mirror::none;
 };
 
-/// The map of one transform function, or nothing if name and arguments do not fit.
-std::optional<Affine> transform_function(std::string_view name, const std::array<double, 6>& v,
-                                         std::size_t count) {
-  if (name == "matrix" && count == 6) return Affine{v[0], v[1], v[2], v[3], v[4], v[5]};
-  if (name == "translate" && (count == 1 || count == 2))
-    return Affine{1, 0, 0, 1, v[0], count == 2 ? v[1] : 0};
-  if (name == "scale" && (count == 1 || count == 2))
-    return Affine{v[0], 0, 0, count == 2 ? v[1] : v[0], 0, 0};
-  if (name == "rotate" && (count == 1 || count == 3)) {
-    const Direction t = direction_of_degrees(v[0]);
-    const Affine turn{t.cos, t.sin, -t.sin, t.cos, 0, 0};
-    if (count == 1) return turn;
-    return Affine{1, 0, 0, 1, v[1], v[2]} * turn * Affine{1, 0, 0, 1, -v[1], -v[2]};
-  }
-  if ((name == "skewX" || name == "skewY") && count == 1) {
-    const Direction t = direction_of_degrees(v[0]);
-    if (t.cos == 0) return std::nullopt;
-    const double tangent = t.sin / t.cos;
-    return name == "skewX" ? Affine{1, 0, tangent, 1, 0, 0} : Affine{1, tangent, 0, 1, 0, 0};
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 MaybeProblem read_path_data(std::string_view text, std::vector<Subpath>& subpaths) {
   return PathReader(text, subpaths).read();
-}
-
-MaybeProblem read_transform(std::string_view text, Affine& map) {
-  Scanner scan(text);
-  while (!scan.at_end()) {
-    const std::size_t start = scan.at();
-    const std::string_view name = scan.word();
-    std::array<double, 6> values{};
-    std::size_t count = 0;
-    bool good = scan.take() == '(';
-    while (good && scan.starts_number())
-      good = count < values.size() && scan.number(values[count++]);
-    const auto function =
-        good && scan.take() == ')' ? transform_function(name, values, count) : std::nullopt;
-    if (!function) return AttributeProblem{start, "This is not a transform that can be read."};
-    map = map * *function;
-  }
-  return {};
-}
-
-MaybeProblem read_points(std::string_view text, std::vector<Vec2>& points) {
-  Scanner scan(text);
-  while (!scan.at_end()) {
-    Vec2 p;
-    const std::size_t start = scan.at();
-    if (!scan.point(p)) return AttributeProblem{start, "A point is two numbers."};
-    points.push_back(p);
-  }
-  return {};
-}
-
-MaybeProblem read_length(std::string_view text, double& value) {
-  struct Unit {
-    std::string_view name;
-    double pixels;
-  };
-  constexpr Unit units[] = {{"", 1},    {"px", 1},         {"mm", 96 / 25.4}, {"cm", 96 / 2.54},
-                            {"in", 96}, {"pt", 96.0 / 72}, {"pc", 16}};
-  Scanner scan(text);
-  if (scan.number(value)) {
-    const std::string_view name = scan.word();
-    for (const Unit& unit : units) {
-      if (name != unit.name || !scan.at_end()) continue;
-      value *= unit.pixels;
-      return {};
-    }
-  }
-  return AttributeProblem{
-      scan.at(), "A length is a number, alone or with px, mm, cm, in, pt, pc; no percentage."};
 }
 
 void append_elliptical_arc(CurvePath& path, Vec2 radii, double rotation_degrees, bool large,

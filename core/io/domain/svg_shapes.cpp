@@ -11,7 +11,9 @@ namespace {
 
 class ShapeReader {
  public:
-  ShapeReader(std::string_view text, const XmlReader& xml) : text_(text), xml_(xml) {}
+  ShapeReader(std::string_view text, const XmlReader& xml, const StyleSheet& sheet,
+              const LengthUnits& units)
+      : text_(text), xml_(xml), sheet_(sheet), units_(units) {}
 
   Problem read(std::vector<Subpath>& subpaths);
 
@@ -33,18 +35,23 @@ class ShapeReader {
 
   std::string_view text_;
   const XmlReader& xml_;
+  const StyleSheet& sheet_;
+  const LengthUnits& units_;
   Problem error_;
 };
 
-/// False where the attribute is absent or wrong.
+/// False where it is absent or wrong.
 bool ShapeReader::length(const char* name, double& value) {
-  const XmlAttribute* attribute = xml_.find(name);
-  return attribute != nullptr && accept(*attribute, read_length(xml_value(attribute->raw), value));
+  MaybeProblem problem;
+  const auto found = find_svg_length(xml_, sheet_, units_, name, problem);
+  if (problem && !error_) error_ = svg_length_error(text_, xml_, sheet_, name, *problem);
+  if (found) value = *found;
+  return found.has_value();
 }
 
 void ShapeReader::draw_path(std::vector<Subpath>& subpaths) {
   const XmlAttribute* data = xml_.find("d");
-  if (data == nullptr) return;
+  if (data == nullptr || data->raw == "none") return;
   if (data->raw.find('&') == std::string_view::npos) {
     accept(*data, read_path_data(data->raw, subpaths));
   } else {
@@ -153,9 +160,34 @@ Error attribute_error(std::string_view text, const XmlReader& xml, const XmlAttr
       std::string(attribute.name) + " of <" + std::string(xml.name()) + ">: " + problem.message);
 }
 
-Problem read_svg_shape(std::string_view text, const XmlReader& xml,
-                       std::vector<Subpath>& subpaths) {
-  return ShapeReader(text, xml).read(subpaths);
+std::optional<double> find_svg_length(const XmlReader& xml, const StyleSheet& sheet,
+                                      const LengthUnits& units, std::string_view name,
+                                      MaybeProblem& problem) {
+  const bool is_x = name == "width" || name[0] == 'x' || name.back() == 'x';
+  const bool is_y = name == "height" || name[0] == 'y' || name.back() == 'y';
+  const LengthAxis axis = is_x ? LengthAxis::x : is_y ? LengthAxis::y : LengthAxis::other;
+  std::string said = styled_property(xml, sheet, name);
+  const XmlAttribute* attribute = xml.find(name);
+  if (said.empty() && attribute == nullptr) return std::nullopt;
+  if (said.empty()) said = xml_value(attribute->raw);  // "" is wrong
+  if (said == "auto") return std::nullopt;
+  double value = 0;
+  problem = read_length(said, value, units, axis);
+  return problem ? std::nullopt : std::optional(value);
+}
+
+Error svg_length_error(std::string_view text, const XmlReader& xml, const StyleSheet& sheet,
+                       std::string_view name, const AttributeProblem& problem) {
+  if (styled_property(xml, sheet, name).empty())
+    return attribute_error(text, xml, *xml.find(name), problem);
+  return error_at(
+      text, xml.byte(),
+      std::string(name) + " in the style of <" + std::string(xml.name()) + ">: " + problem.message);
+}
+
+Problem read_svg_shape(std::string_view text, const XmlReader& xml, const StyleSheet& sheet,
+                       const LengthUnits& units, std::vector<Subpath>& subpaths) {
+  return ShapeReader(text, xml, sheet, units).read(subpaths);
 }
 
 }  // namespace lpq

@@ -73,8 +73,7 @@ std::string svg_attribute(const XmlReader& xml, std::string_view name) {
 }
 
 StyleSheet::StyleSheet(std::string_view svg) {
-  if (svg.find("<style") == std::string_view::npos &&
-      svg.find("<svg:style") == std::string_view::npos)
+  if (svg.find("<style") == std::string_view::npos && svg.find(":style") == std::string_view::npos)
     return;
   XmlReader xml(svg);  // what is wrong in the text is said where it is read
   std::size_t end = 0;
@@ -107,19 +106,22 @@ void StyleSheet::read(std::string_view css) {
 
 void StyleSheet::add_rules(std::string_view selectors, std::string_view declarations) {
   Rule rule;
-  bool says_something = false;
+  bool says_something = false, says_more = false;
   for (std::size_t i = 0; i < sheet_properties.size(); ++i) {
     rule.values[i] = style_value(declarations, sheet_properties[i]);
-    says_something = says_something || !rule.values[i].empty();
+    if (rule.values[i].empty()) continue;
+    says_something = true;
+    says_more = says_more || sheet_properties[i] != "font-size";  // which is for text, mostly
   }
   if (!says_something) return;
   while (!selectors.empty()) {
     Rule own = rule;
     if (!read_selector(trimmed(take_until(selectors, ',')), own)) {
-      ++unread_;
+      if (says_more) ++unread_;
       continue;
     }
     own.order = count_++;
+    for (std::size_t i = 0; i < is_said_.size(); ++i) is_said_[i] |= !own.values[i].empty();
     std::string key(own.tag);
     if (!own.classes.empty()) key = "." + std::string(own.classes[0]);
     if (!own.id.empty()) key = "#" + std::string(own.id);
@@ -164,10 +166,10 @@ bool StyleSheet::applies(const Rule& rule, const Element& element) {
 }
 
 std::string_view StyleSheet::value(const XmlReader& xml, std::string_view property) const {
-  if (rules_.empty()) return {};
   const auto which = static_cast<std::size_t>(
       std::find(sheet_properties.begin(), sheet_properties.end(), property) -
       sheet_properties.begin());
+  if (which == sheet_properties.size() || !is_said_[which]) return {};
   const std::string id = svg_attribute(xml, "id"), listed = svg_attribute(xml, "class");
   Element element{xml.name(), id, {}};
   std::vector<std::string> keys{"#" + id, std::string(xml.name()), "*"};
@@ -190,14 +192,18 @@ std::string_view StyleSheet::value(const XmlReader& xml, std::string_view proper
   return best == nullptr ? std::string_view() : best->values[which];
 }
 
-std::string svg_property(const XmlReader& xml, const StyleSheet& sheet, std::string_view name) {
+std::string styled_property(const XmlReader& xml, const StyleSheet& sheet, std::string_view name) {
   if (const XmlAttribute* style = xml.find("style")) {
     const std::string text = xml_value(style->raw);
     const std::string_view value = style_value(text, name);
     if (!value.empty()) return std::string(value);
   }
-  const std::string_view ruled = sheet.value(xml, name);
-  return ruled.empty() ? svg_attribute(xml, name) : std::string(ruled);
+  return std::string(sheet.value(xml, name));
+}
+
+std::string svg_property(const XmlReader& xml, const StyleSheet& sheet, std::string_view name) {
+  std::string styled = styled_property(xml, sheet, name);
+  return styled.empty() ? svg_attribute(xml, name) : styled;
 }
 
 }  // namespace lpq

@@ -18,8 +18,26 @@ namespace lpq {
 std::string svg_attribute(const XmlReader& xml, std::string_view name);
 
 /// What may be asked for of a style sheet.
-inline constexpr std::array<std::string_view, 4> sheet_properties{"display", "visibility", "fill",
-                                                                  "fill-rule"};
+inline constexpr std::array<std::string_view, 20> sheet_properties{"display",
+                                                                   "visibility",
+                                                                   "fill",
+                                                                   "fill-rule",
+                                                                   "transform",
+                                                                   "transform-origin",
+                                                                   "transform-box",
+                                                                   "clip-path",
+                                                                   "mask",
+                                                                   "font-size",
+                                                                   "d",
+                                                                   "x",
+                                                                   "y",
+                                                                   "width",
+                                                                   "height",
+                                                                   "cx",
+                                                                   "cy",
+                                                                   "r",
+                                                                   "rx",
+                                                                   "ry"};
 
 /// The <style> elements of a document. Rules apply whose selectors are a name of an element, *,
 /// classes, ids or these in one, as in "path.hidden"; others are counted. Blocks of @-rules are
@@ -31,7 +49,7 @@ class StyleSheet {
   StyleSheet& operator=(const StyleSheet&) = delete;
 
   /// Of the tag read last, "" where no rule says anything: of the rule with the most special
-  /// selector, the last of equals. `property` is one of sheet_properties.
+  /// selector, the last of equals; "" also for what is none of sheet_properties.
   std::string_view value(const XmlReader& xml, std::string_view property) const;
   /// Rules about such a property that do not apply because of their selectors.
   Index unread() const { return unread_; }
@@ -57,11 +75,13 @@ class StyleSheet {
 
   std::vector<std::string> texts_;                               // what the rules point into
   std::map<std::string, std::vector<Rule>, std::less<>> rules_;  // by "#id", ".class", tag or "*"
+  std::array<char, sheet_properties.size()> is_said_{};          // of each property: by any rule
   Index count_ = 0, unread_ = 0;
 };
 
-/// A property of that tag: of its style attribute, else of the sheet, else the attribute of that
-/// name; "" if none of them says anything.
+/// A property of that tag: of its style attribute, else of the sheet; "" if neither says anything.
+std::string styled_property(const XmlReader& xml, const StyleSheet& sheet, std::string_view name);
+/// That, else the attribute of that name, else "".
 std::string svg_property(const XmlReader& xml, const StyleSheet& sheet, std::string_view name);
 
 }  // namespace lpq

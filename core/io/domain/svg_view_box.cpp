@@ -18,14 +18,21 @@ double share(std::string_view aspect, std::string_view least, std::string_view m
 
 }  // namespace
 
+MaybeProblem read_view_box(std::string_view text, Vec2& corner, Vec2& size) {
+  std::vector<Vec2> corner_and_size;
+  if (auto problem = read_points(text, corner_and_size)) return problem;
+  if (corner_and_size.size() != 2) return AttributeProblem{0, "four numbers are expected"};
+  corner = corner_and_size[0];
+  size = corner_and_size[1];
+  return std::nullopt;
+}
+
 MaybeProblem fit_view_box(std::string_view view_box, std::string_view aspect, Vec2 size,
                           Affine& map) {
-  std::vector<Vec2> corner_and_size;
-  if (auto problem = read_points(view_box, corner_and_size)) return problem;
-  if (corner_and_size.size() != 2) return AttributeProblem{0, "four numbers are expected"};
-  const Vec2 corner = corner_and_size[0], box = corner_and_size[1];
+  Vec2 corner, box;
+  if (auto problem = read_view_box(view_box, corner, box)) return problem;
   if (!(box.x > 0 && box.y > 0 && size.x > 0 && size.y > 0))
-    return AttributeProblem{0, "a width and a height above 0 are expected, of <use> too"};
+    return AttributeProblem{0, "a width and a height above 0 are expected, of <use> and <svg> too"};
   Vec2 scale{size.x / box.x, size.y / box.y};
   if (!has(aspect, "none")) {
     const double both =

@@ -7,6 +7,9 @@
 
 namespace lpq {
 
+/// "x y width height".
+MaybeProblem read_view_box(std::string_view text, Vec2& corner, Vec2& size);
+
 /// Maps the view box "x y width height" into (0, 0) .. size, before `map`. `aspect` is the value of
 /// preserveAspectRatio: "none", "xMinYMax slice", ...; "" is "xMidYMid meet".
 MaybeProblem fit_view_box(std::string_view view_box, std::string_view aspect, Vec2 size,

@@ -1,6 +1,7 @@
 // See xml_reader.h.
 #include "io/domain/xml_reader.h"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "io/plain_text.h"
@@ -9,12 +10,10 @@
 namespace lpq {
 namespace {
 
-constexpr std::size_t deepest = 256;  // elements within elements
+constexpr std::size_t deepest = 256;       // elements within elements
+constexpr std::size_t most_prefixes = 32;  // of SVG: every name is compared with them
+constexpr std::string_view svg_namespace = "http://www.w3.org/2000/svg";
 constexpr std::string_view blanks = " \t\r\n";
-
-std::string_view without_prefix(std::string_view name) {
-  return name.substr(0, 4) == "svg:" ? name.substr(4) : name;
-}
 
 void append_utf8(std::string& out, std::uint32_t code) {
   const auto byte = [&out](std::uint32_t value) { out += static_cast<char>(value); };
@@ -72,6 +71,30 @@ bool append_entity(std::string& out, std::string_view name) {
 
 XmlReader::XmlReader(std::string_view text, std::size_t start) : text_(text), at_(start) {
   if (start == 0) at_ = byte_order_mark_size(text_);
+}
+
+XmlReader XmlReader::at(std::size_t start) const {
+  XmlReader reader(text_, start);
+  reader.prefixes_ = prefixes_;
+  return reader;
+}
+
+void XmlReader::note_prefixes() {
+  constexpr std::string_view binds = "xmlns:";
+  for (const XmlAttribute& attribute : attributes_) {
+    if (attribute.name.substr(0, binds.size()) != binds || attribute.raw != svg_namespace) continue;
+    const std::string_view prefix = attribute.name.substr(binds.size());
+    const bool is_known = std::find(prefixes_.begin(), prefixes_.end(), prefix) != prefixes_.end();
+    if (!is_known && prefixes_.size() < most_prefixes) prefixes_.push_back(prefix);
+  }
+}
+
+std::string_view XmlReader::without_prefix(std::string_view name) const {
+  const std::size_t colon = name.find(':');
+  if (colon == std::string_view::npos) return name;
+  const bool is_svg =
+      std::find(prefixes_.begin(), prefixes_.end(), name.substr(0, colon)) != prefixes_.end();
+  return is_svg ? name.substr(colon + 1) : name;
 }
 
 XmlReader::Event XmlReader::fail(std::size_t byte, std::string message) {
@@ -181,9 +204,11 @@ XmlReader::Event XmlReader::read_open() {
   if (open_.empty() && seen_root_) return fail(tag_, "There is a second outermost element.");
   if (open_.size() >= deepest) return fail(tag_, "Elements are nested too deeply.");
   seen_root_ = true;
-  name_ = without_prefix(name);
+  name_ = name;
   attributes_.clear();
   if (!read_attributes()) return Event::error;
+  note_prefixes();
+  name_ = without_prefix(name);
   open_.push_back(name);
   return Event::open;
 }
@@ -224,6 +249,17 @@ const XmlAttribute* XmlReader::find(std::string_view name) const {
   for (const XmlAttribute& attribute : attributes_)
     if (attribute.name == name) return &attribute;
   return nullptr;
+}
+
+const XmlAttribute* XmlReader::find_prefixed(std::string_view name) const {
+  const XmlAttribute* found = find(name);
+  for (const XmlAttribute& attribute : attributes_) {
+    if (found != nullptr) break;
+    const std::size_t colon = attribute.name.find(':');
+    if (colon != std::string_view::npos && attribute.name.substr(colon + 1) == name)
+      found = &attribute;
+  }
+  return found;
 }
 
 std::string xml_value(std::string_view raw) {
