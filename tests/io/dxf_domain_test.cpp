@@ -1,6 +1,8 @@
 // DXF: curves against closed forms, assembly, what is refused.
 #include "io/domain/dxf_domain.h"
 
+#include <map>
+
 #include "catch.h"
 #include "io/domain/bspline.h"
 #include "numerics/elementary.h"
@@ -12,7 +14,8 @@ using namespace lpq_test;
 namespace {
 
 DomainFile read_dxf(const std::string& entities) {
-  return lpq_test::read_file(dxf(entities), DomainFormat::dxf);
+  const auto size = entities.find_last_not_of(' ') + 1;
+  return lpq_test::read_file(dxf(entities.substr(0, size)), DomainFormat::dxf);
 }
 double area(const std::string& entities) { return total_area(read_dxf(entities).domain); }
 
@@ -26,6 +29,14 @@ void check_area(const std::string& entities, double exact, double size, double p
 const std::string open_square =
     "0 LINE 10 0 20 0 11 4 21 0 0 LINE 10 4 20 0 11 4 21 4 "
     "0 LINE 10 4 20 4 11 0 21 4 ";
+
+std::string rectangle(const std::string& layer, double x, double y, double width, double height) {
+  const auto corner = [](double at_x, double at_y) {
+    return "10 " + std::to_string(at_x) + " 20 " + std::to_string(at_y) + " ";
+  };
+  return "0 LWPOLYLINE 8 " + layer + " 70 1 " + corner(x, y) + corner(x + width, y) +
+         corner(x + width, y + height) + corner(x, y + height);
+}
 
 }  // namespace
 
@@ -174,6 +185,56 @@ TEST_CASE("layers become tags and names; lines that divide make neighbours") {
   CHECK(plate.tags[1].front() == "bolt");
   CHECK(make_domain(file.domain).has_value());
   CHECK(read_dxf("0 CIRCLE 8 bolt 10 2 20 3 40 0.5").domain.regions[0].name == "bolt");
+}
+
+TEST_CASE("closed outlines side by side keep their names, and divided ones pass theirs on") {
+  const auto names_by_place = [](const DomainFile& file) {
+    std::map<double, std::string> names;  // by the least x of each region
+    for (const auto& region : file.domain.regions) {
+      double least = region.loops[0][0].x;
+      for (const Vec2 p : region.loops[0]) least = std::min(least, p.x);
+      names[least] += region.name;
+    }
+    return names;
+  };
+  using Names = std::map<double, std::string>;
+  const auto row = read_dxf(rectangle("steel", 0, 0, 4, 4) + rectangle("air", 4, 0, 4, 4) +
+                            rectangle("0", 8, 0, 4, 4) + rectangle("copper", 12, 0, 4, 4));
+  CHECK(names_by_place(row) == Names{{0, "steel"}, {4, "air"}, {8, ""}, {12, "copper"}});
+  CHECK(make_domain(row.domain).has_value());
+  const auto divided =
+      read_dxf(rectangle("steel", 0, 0, 4, 4) + "0 LINE 8 rib 10 2 20 0 11 2 21 4 ");
+  CHECK(names_by_place(divided) == Names{{0, "steel"}, {2, "steel"}});
+  // Lines of one layer along a border of another one.
+  const auto lined = read_dxf(rectangle("steel", 0, 0, 4, 4) +
+                              "0 LINE 8 air 10 4 20 0 11 8 21 0 0 LINE 8 air 10 8 20 0 11 8 21 4 "
+                              "0 LINE 8 air 10 8 20 4 11 4 21 4 0 LINE 8 air 10 4 20 4 11 4 21 0 ");
+  CHECK(names_by_place(lined) == Names{{0, "steel"}, {4, "air"}});
+}
+
+TEST_CASE("what exactly fills a hole is material with its name, a hole drawn twice stays one") {
+  const std::string plate = rectangle("steel", 0, 0, 10, 10);
+  const std::string hole = rectangle("steel", 3, 3, 3, 3), core = rectangle("copper", 3, 3, 3, 3);
+  for (const std::string& both : {hole + core, core + hole}) {
+    const auto file = read_dxf(plate + both + rectangle("slot", 4, 4, 1, 1));
+    CHECK(total_area(file.domain) == 99);  // what lies in the core is a hole in it
+    REQUIRE(file.domain.regions.size() == 2);
+    CHECK(file.domain.regions[0].name == "steel");
+    CHECK(file.domain.regions[1].name == "copper");
+    CHECK(make_domain(file.domain).has_value());
+  }
+  CHECK(area(plate + hole + hole) == 91);
+  CHECK(area(plate + plate) == 100);
+  CHECK(area(plate + rectangle("copper", 0, 0, 10, 10)) == 100);
+  CHECK(area(plate + rectangle("copper", 0, 0, 10, 10) + hole) == 91);
+  // In two halves, or in one half alone.
+  const std::string half = rectangle("left", 3, 3, 1.5, 3);
+  const std::string divided =
+      "0 LWPOLYLINE 8 steel 70 1 10 3 20 3 10 4.5 20 3 10 6 20 3 10 6 20 6 10 4.5 20 6 10 3 20 6 ";
+  const auto halves = read_dxf(plate + divided + half + rectangle("right", 4.5, 3, 1.5, 3));
+  CHECK(total_area(halves.domain) == 100);
+  CHECK(halves.domain.regions.size() == 3);
+  CHECK(area(plate + divided + half) == 95.5);
 }
 
 TEST_CASE("what DXF leaves out is counted") {

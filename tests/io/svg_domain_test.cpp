@@ -201,6 +201,25 @@ TEST_CASE("outlines nest by the even-odd rule over all elements") {
   CHECK(tags[2] == std::vector<std::string>(4, "hole"));
 }
 
+TEST_CASE("what fills a hole of a path, or lies beside a shape, has its own name") {
+  const std::string path = "<path id='steel' d='M0 0h10v6h-10z M2 2h3v2h-3z'/>";
+  const std::string core = "<rect id='copper' x='2' y='2' width='3' height='2'/>";
+  for (const std::string& both : {path + core, core + path}) {
+    const auto file = read_svg(both);
+    CHECK(total_area(file.domain) == 60);
+    REQUIRE(file.domain.regions.size() == 2);
+    for (const auto& region : file.domain.regions)
+      CHECK(region.name == (region.loops.size() == 2 ? "steel" : "copper"));
+  }
+  const auto row = read_svg(
+      "<rect id='a' width='5' height='6'/><rect id='b' x='5' width='5' height='6'/>"
+      "<rect id='c' x='10' width='5' height='6'/>");
+  std::string names;
+  for (const auto& region : row.domain.regions) names += region.name;
+  std::sort(names.begin(), names.end());
+  CHECK(names == "abc");
+}
+
 TEST_CASE("what crosses is painted by its rule, and taken as one") {
   const std::string star = "d='M0 -10L5.878 8.09-9.511-3.09 9.511-3.09-5.878 8.09z'";
   const auto whole = read_svg("<path " + star + "/>");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/words.h"
 #include "geometry/box.h"
@@ -55,6 +56,52 @@ void add_loop(const Drawing& drawing, Walk walk, DomainInput::Region& region) {
 void warn(std::vector<Warning>& warnings, ErrorCode code, std::string message, Vec2 at) {
   warnings.push_back({code, std::move(message), {}});
   warnings.back().where.set_point(at.x, at.y);
+}
+
+/// The first source of the same name, for every source.
+std::vector<Index> first_of_name(const std::vector<Drawing::Source>& sources) {
+  std::vector<Index> order(sources.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index s, Index t) { return sources[s].name < sources[t].name; });
+  std::vector<Index> first(order);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool is_new = k == 0 || sources[order[k]].name != sources[order[k - 1]].name;
+    first[order[k]] = is_new ? order[k] : first[order[k - 1]];
+  }
+  return first;
+}
+
+/// Fills holes that were drawn again under another name, and turns over what lies in them. Returns
+/// which faces fill one.
+std::vector<char> fill_drawn_holes(const Drawing& drawing, const NestedFaces& nested,
+                                   std::vector<char>& filled) {
+  const std::size_t count = filled.size();
+  std::vector<char> fills(count, 0), turned(count, 0);
+  if (drawing.drawn.twice_area.empty()) return fills;
+  std::vector<Index> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index f, Index g) { return nested.tree.depth[f] < nested.tree.depth[g]; });
+  for (const Index f : order) {
+    const Index around = nested.tree.parent[f];
+    turned[f] = around != none && turned[around];
+    if (turned[f]) filled[f] = !filled[f];
+    if (filled[f] || around == none) continue;
+    const Walk& face = nested.planar.faces[f];
+    if (enclosure_of(drawing.drawn, drawing.lines, face).all().size() < 2) continue;
+    fills[f] = filled[f] = 1;
+    turned[f] = !turned[f];
+  }
+  return fills;
+}
+
+/// The last name around a face that fills a hole that is not the name of what is around the hole.
+std::string filling_name(const Drawing& drawing, const Walk& face, const std::string& around) {
+  std::vector<Index> sources = enclosure_of(drawing.drawn, drawing.lines, face).all();
+  std::sort(sources.begin(), sources.end());
+  while (sources.size() > 1 && drawing.sources[sources.back()].name == around) sources.pop_back();
+  return drawing.sources[sources.back()].name;
 }
 
 std::vector<Index> degrees(const LineWork& lines) {
@@ -164,6 +211,7 @@ Problem join_drawing(Drawing& drawing, std::size_t bytes, double tolerance,
     warn(warnings, ErrorCode::overlapping_edges,
          "Edges drawn more than once were taken once: " + std::to_string(joined.doubled) + ".",
          joined.doubled_at);
+  drawing.drawn = drawn_edges_of(drawing.lines, first_of_name(drawing.sources));
   return {};
 }
 
@@ -186,9 +234,9 @@ std::vector<char> even_faces(const NestedFaces& nested) {
   return filled;
 }
 
-Index add_regions(const Drawing& drawing, const NestedFaces& nested,
-                  const std::vector<char>& filled, const std::function<std::string(Index)>& name,
-                  DomainInput& input) {
+Index add_regions(const Drawing& drawing, const NestedFaces& nested, std::vector<char> filled,
+                  const std::function<std::string(Index)>& name, DomainInput& input) {
+  const std::vector<char> fills = fill_drawn_holes(drawing, nested, filled);
   const PlanarFaces& planar = nested.planar;
   std::vector<Index> region_of(planar.faces.size(), none),
       parent(drawing.lines.points.size(), none);
@@ -199,6 +247,11 @@ Index add_regions(const Drawing& drawing, const NestedFaces& nested,
     input.regions.emplace_back();
     if (name) input.regions.back().name = name(static_cast<Index>(f));
     add_loop(drawing, planar.faces[f], input.regions.back());
+  }
+  for (std::size_t f = 0; f < fills.size(); ++f) {
+    if (!name || !fills[f]) continue;
+    const DomainInput::Region& around = input.regions[region_of[nested.tree.parent[f]]];
+    input.regions[region_of[f]].name = filling_name(drawing, planar.faces[f], around.name);
   }
   for (const Walk& outer : planar.outers) {
     const Index around = parent[outer.component];
@@ -220,10 +273,16 @@ Index add_regions(const Drawing& drawing, const NestedFaces& nested,
 }
 
 std::string common_name(const Drawing& drawing, const Walk& walk) {
-  const std::string& name = tag_of(drawing, walk.edges.front());
-  for (const Index e : walk.edges)
-    if (tag_of(drawing, e) != name) return {};
-  return name;
+  Enclosure around = enclosure_of(drawing.drawn, drawing.lines, walk);
+  std::vector<Index>& shared = around.shared;
+  std::erase_if(shared, [&](Index source) { return drawing.sources[source].name.empty(); });
+  const auto is_shared = [&](Index source) {
+    return shared.empty() || std::find(shared.begin(), shared.end(), source) != shared.end();
+  };
+  const auto smallest = std::find_if(around.outlines.begin(), around.outlines.end(), is_shared);
+  if (shared.size() != 1 && smallest != around.outlines.end())
+    return drawing.sources[*smallest].name;
+  return shared.empty() ? std::string() : drawing.sources[shared.front()].name;
 }
 
 Error open_chain_error(const Drawing& drawing, const NestedFaces& nested, double tolerance) {

@@ -10,6 +10,7 @@
 #include "io/domain/domain_file.h"
 #include "io/domain/line_work.h"
 #include "io/domain/loop_tree.h"
+#include "io/domain/outlines.h"
 #include "io/domain/planar_faces.h"
 
 namespace lpq {
@@ -22,6 +23,7 @@ struct Drawing {
   };
   std::vector<Source> sources;
   LineWork lines;
+  DrawnEdges drawn;  // by join_drawing
 
   Index add_source(std::string_view name, std::int64_t line = none, std::int64_t byte = none);
 };
@@ -63,14 +65,15 @@ NestedFaces nest_faces(const LineWork& lines, std::span<const Vec2> probes = {})
 /// The even-odd rule: faces inside an even number of outlines of other parts are filled.
 std::vector<char> even_faces(const NestedFaces& nested);
 
-/// A region for every face with filled[f], with the outlines of what lies in it as holes, edge tags
-/// and, where `name(f)` is given, a name. Chains in filled faces become polylines; returns how many
-/// others there are.
-Index add_regions(const Drawing& drawing, const NestedFaces& nested,
-                  const std::vector<char>& filled, const std::function<std::string(Index)>& name,
-                  DomainInput& input);
+/// A region for every face with filled[f], and for those that closed outlines or lines of several
+/// names enclose, for one of them is of a hole then, and another one fills it. Each with the
+/// outlines of what lies in it as holes, edge tags and, where `name(f)` is given, a name. Chains in
+/// filled faces become polylines; returns how many others there are.
+Index add_regions(const Drawing& drawing, const NestedFaces& nested, std::vector<char> filled,
+                  const std::function<std::string(Index)>& name, DomainInput& input);
 
-/// The name that all edges of a face's outline share, else "".
+/// The name that everything around a face was drawn with, else that of the smallest closed outline
+/// around it of those along its border, else "".
 std::string common_name(const Drawing& drawing, const Walk& walk);
 
 /// The first loose end of the drawing as an error: what is open, and how far the nearest end and

@@ -4,8 +4,9 @@
 // that are nearer than 1e-5 of the drawing's size to another one become one (a warning says so
 // beyond rounding), and lines are divided where others end on them. Everything must close. The
 // even-odd rule says what is material, as in svg_domain.h; lines that divide an outline make
-// neighbouring regions. A layer other than "0" becomes the tag of its edges, and the name of a
-// region whose outline it holds alone. Coordinates are taken as they are: $INSUNITS is ignored,
+// neighbouring regions, and what was drawn again on another layer exactly over the border of a hole
+// fills it. A layer other than "0" becomes the tag of its edges, and the name of the regions that
+// its lines alone enclose, or a closed outline of it, the smallest around. Coordinates are taken as they are: $INSUNITS is ignored,
 // and z. Blocks are drawn where INSERT entities put them, scaled, mirrored, turned, in rows and
 // columns, and within other blocks; what a block has on layer "0" is on the layer of its INSERT.
 // What is invisible, or on a layer that is off or frozen, is left out with a warning, and so are

@@ -31,6 +31,7 @@ void drop_doubled_edges(LineWork& lines, Joined& joined) {
     const LineWork::Edge& before = lines.edges[order[k - 1]];
     if (std::minmax(edge.a, edge.b) != std::minmax(before.a, before.b)) continue;
     dropped[order[k]] = 1;
+    lines.copies.push_back(edge);
     if (joined.doubled++ == 0) joined.doubled_at = lines.points[edge.a];
   }
   std::size_t kept = 0;
@@ -155,8 +156,9 @@ void LineWork::add(std::span<const Vec2> polyline, bool closed, Index source) {
   points.insert(points.end(), polyline.begin(), polyline.end());
   loose.resize(points.size(), !closed);
   const auto end = static_cast<Index>(points.size());
-  for (Index i = first; i + 1 < end; ++i) edges.push_back({i, i + 1, source});
-  if (closed && end - first > 2) edges.push_back({end - 1, first, source});
+  const Index outline = closed ? first : none;  // a number that no other one has
+  for (Index i = first; i + 1 < end; ++i) edges.push_back({i, i + 1, source, none, outline});
+  if (closed && end - first > 2) edges.push_back({end - 1, first, source, none, outline});
 }
 
 Joined join_points(LineWork& lines, double tolerance) {

@@ -16,10 +16,12 @@ struct LineWork {
     // Outlines that crossed: which of them, numbered as they hang together, end their paint here.
     // It lies to the left, none to the right.
     Index painted = none;
+    Index outline = none;  // of a closed polyline: which one; it runs from a to b
   };
   std::vector<Vec2> points;
   std::vector<char> loose;  // #points, or empty: the point may be moved; it is of an open polyline
   std::vector<Edge> edges;
+  std::vector<Edge> copies = {};  // what join_points dropped: each joins the points of another one
 
   /// Appends a polyline; closed: with the edge from its last point to its first.
   void add(std::span<const Vec2> polyline, bool closed, Index source);
@@ -54,7 +56,7 @@ struct Joined {
 /// point within `tolerance` that no edge joins it to: ends meet, and curves drawn twice fall
 /// together, but short edges stay; edges are divided where others end on them (line_landings.h; not
 /// with tolerance 0). Edges without length vanish; of several edges between the same points the
-/// first stays. Cost O(n log n).
+/// first stays, and the others are kept as copies. Cost O(n log n).
 Joined join_points(LineWork& lines, double tolerance);
 
 }  // namespace lpq
