@@ -237,6 +237,26 @@ TEST_CASE("what exactly fills a hole is material with its name, a hole drawn twi
   CHECK(area(plate + divided + half) == 95.5);
 }
 
+TEST_CASE("a circle is the same one however it was drawn") {
+  const std::string circle = "0 CIRCLE 8 A 10 0 20 0 40 5 ";
+  const double once = area(circle);
+  for (const char* again : {"0 LWPOLYLINE 8 A 70 1 10 5 20 0 42 1 10 -5 20 0 42 1",
+                            "0 ARC 8 A 10 0 20 0 40 5 50 0 51 "
+                            "90 0 ARC 8 A 10 0 20 0 40 5 50 90 51 360",
+                            "0 ELLIPSE 8 A 10 0 20 0 11 5 21 0 40 1"}) {
+    INFO(again);
+    const auto file = read_dxf(circle + again);
+    CHECK(file.domain.regions.size() == 1);
+    CHECK(std::abs(total_area(file.domain) - once) < 0.01);
+    CHECK(make_domain(file.domain).has_value());
+    REQUIRE(file.warnings.size() == 1);
+    CHECK(file.warnings[0].code == ErrorCode::overlapping_edges);
+  }
+  // A shape of a billionth of the size is not lost for it.
+  CHECK(read_dxf(rectangle("0", 0, 0, 1e6, 1e6) + rectangle("0", 2e6, 0, 1e-3, 1e-3))
+            .domain.regions.size() == 2);
+}
+
 TEST_CASE("what DXF leaves out is counted") {
   const auto file = read_dxf(
       "0 CIRCLE 10 0 20 0 30 5 40 1 0 INSERT 2 x 10 0 20 0 66 1 0 ATTRIB 1 y 0 SEQEND "

@@ -15,6 +15,7 @@ namespace {
 constexpr int deepest_halving = 10;
 constexpr double widest_step = pi / 8;  // of an arc: 3 % of the area of a circle at most
 constexpr double finest_arc = 4096;     // pieces
+constexpr double rounding = 1e-9;       // of angles
 
 /// Distance of p from the segment a b, squared.
 double squared_distance_to(Vec2 p, Vec2 a, Vec2 b) {
@@ -73,8 +74,11 @@ void flatten_arc(const Arc& arc, double tolerance, std::vector<Vec2>& polyline) 
   const Vec2 u = arc.radius();
   const double step = std::sqrt(8 * tolerance / largest_stretch(u, arc.axis));
   double pieces = std::ceil(std::abs(arc.sweep) / std::min(widest_step, step));
-  // A full turn in a multiple of four pieces keeps the symmetry of circles.
-  if (arc.start == arc.end) pieces = 4 * std::ceil(pieces / 4);
+  // The same corners in every quarter turn keep the symmetry of circles, and make circles drawn in
+  // halves and quarters the same as whole ones.
+  const double quarters = std::round(std::abs(arc.sweep) / (pi / 2));
+  const bool whole_quarters = std::abs(std::abs(arc.sweep) - quarters * (pi / 2)) <= rounding;
+  if (quarters > 0 && whole_quarters) pieces = quarters * std::ceil(pieces / quarters);
   if (!(pieces <= finest_arc)) pieces = finest_arc;  // also NaN
   for (double i = 1; i < pieces; ++i) {
     const SinCos t = sin_cos(arc.sweep * (i / pieces));

@@ -11,6 +11,9 @@
 namespace lpq {
 namespace {
 
+// Of the tolerance: what is nearer than this was meant to be at one place, also by closed outlines.
+constexpr double rounding_share = 1e-4;
+
 void drop_doubled_edges(LineWork& lines, Joined& joined) {
   std::vector<Index> order(lines.edges.size());
   std::iota(order.begin(), order.end(), 0);
@@ -70,25 +73,31 @@ Index nearest_point(const LineWork& lines, const BoxTree& tree, Index i,
   return nearest;
 }
 
-void move_loose_points(LineWork& lines, double tolerance, Joined& joined) {
+void move_points(LineWork& lines, double tolerance, Joined& joined) {
   const Csr<Index> neighbours = neighbours_of(lines);
   std::vector<Box> boxes;
   for (const Vec2 p : lines.points) boxes.push_back({p, p});
   const BoxTree tree(boxes);
   std::vector<Index> root(lines.points.size());
   std::iota(root.begin(), root.end(), 0);
+  // Closed outlines are not closed further, however small they are.
+  std::vector<Index> outline(lines.points.size(), none);
+  for (const LineWork::Edge& edge : lines.edges) outline[edge.a] = edge.outline;
   const auto find = [&](Index i) {
     while (root[i] != i) i = root[i] = root[root[i]];
     return i;
   };
   for (Index i = 0; i < static_cast<Index>(root.size()); ++i) {
-    if (!lines.loose[i]) continue;
-    const Index j = nearest_point(lines, tree, i, neighbours.row(i), tolerance);
+    const double reach = lines.loose[i] ? tolerance : rounding_share * tolerance;
+    const Index j = nearest_point(lines, tree, i, neighbours.row(i), reach);
     if (j == none) continue;
-    // Only loose points move; of two the first one stays.
+    // Loose points move first; of two alike the first one stays.
     const Index u = find(i), v = find(j);
-    if (u == v || (!lines.loose[u] && !lines.loose[v])) continue;
-    const bool move_u = !lines.loose[v] || (lines.loose[u] && v < u);
+    if (u == v || (!lines.loose[u] && !lines.loose[v] &&
+                   (outline[u] == outline[v] ||
+                    distance(lines.points[u], lines.points[v]) > rounding_share * tolerance)))
+      continue;
+    const bool move_u = lines.loose[u] == lines.loose[v] ? v < u : lines.loose[u] != 0;
     root[move_u ? u : v] = move_u ? v : u;
     const double gap = distance(lines.points[i], lines.points[j]);
     if (joined.moved++ > 0 && gap <= joined.farthest) continue;
@@ -164,9 +173,8 @@ void LineWork::add(std::span<const Vec2> polyline, bool closed, Index source) {
 Joined join_points(LineWork& lines, double tolerance) {
   Joined joined;
   merge_equal_points(lines);
-  const bool any_loose = std::find(lines.loose.begin(), lines.loose.end(), 1) != lines.loose.end();
-  if (tolerance > 0 && any_loose) {
-    move_loose_points(lines, tolerance, joined);
+  if (tolerance > 0) {
+    move_points(lines, tolerance, joined);
     const Landings landings = divide_at_landings(lines, tolerance);
     joined.landed = landings.count;
     joined.farthest_landed = landings.farthest;

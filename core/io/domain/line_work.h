@@ -53,7 +53,8 @@ struct Joined {
 };
 
 /// Makes points at one place one point. Then every loose point is moved onto the nearest other
-/// point within `tolerance` that no edge joins it to: ends meet, and curves drawn twice fall
+/// point within `tolerance` that no edge joins it to, and others where rounding (1e-4 of it) is all
+/// that is between them: ends meet, and curves drawn twice fall
 /// together, but short edges stay; edges are divided where others end on them (line_landings.h; not
 /// with tolerance 0). Edges without length vanish; of several edges between the same points the
 /// first stays, and the others are kept as copies. Cost O(n log n).
