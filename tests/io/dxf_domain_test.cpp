@@ -169,6 +169,51 @@ TEST_CASE("a line from wall to wall divides the plate, and an open end tells wha
   CHECK(bridge.message.find("leads from outline to outline") != std::string::npos);
 }
 
+TEST_CASE("lines that end on the curve itself divide what it encloses") {
+  const auto line = [](Vec2 a, Vec2 b) {
+    return "0 LINE 10 " + std::to_string(a.x) + " 20 " + std::to_string(a.y) + " 11 " +
+           std::to_string(b.x) + " 21 " + std::to_string(b.y) + " ";
+  };
+  const auto check_halves = [](const std::string& entities, double exact) {
+    INFO(entities);
+    const auto file = read_dxf(entities);
+    CHECK(file.domain.regions.size() == 2);
+    CHECK(file.warnings.empty());
+    CHECK(std::abs(total_area(file.domain) - exact) < 0.005 * exact);
+    CHECK(make_domain(file.domain).has_value());
+  };
+  const std::string circle = "0 CIRCLE 10 0 20 0 40 5 ";
+  check_halves(circle + line({3, 4}, {3, -4}), 25 * pi);
+  check_halves(circle + line({-4, 3}, {4, 3}), 25 * pi);
+  for (int i = 0; i < 40; ++i) {
+    const SinCos from = sin_cos(0.1 + 0.07 * i), to = sin_cos(2.3 + 0.11 * i);
+    check_halves(circle + line({5 * from.cos, 5 * from.sin}, {5 * to.cos, 5 * to.sin}), 25 * pi);
+    check_halves("0 ELLIPSE 10 0 20 0 11 5 21 0 40 0.4 " +
+                     line({5 * from.cos, 2 * from.sin}, {5 * to.cos, 2 * to.sin}),
+                 10 * pi);
+  }
+  // An arc that ends on the circle, and a cubic: B(1/4) is (10, 36) / 64.
+  check_halves(circle + "0 ARC 10 5 20 0 40 5 50 120 51 240 ", 25 * pi);
+  check_halves(
+      "0 SPLINE 70 0 71 3 40 0 40 0 40 0 40 0 40 1 40 1 40 1 40 1 10 0 20 0 10 0 20 1 10 1 20 1 "
+      "10 1 20 0 0 LINE 10 1 20 0 11 0 21 0 0 LINE 10 0.15625 20 0.5625 11 0.15625 21 0 ",
+      0.6);
+  // What ends beside the curve is open.
+  CHECK(refusal(dxf(circle + "0 LINE 10 -4.99 20 0 11 4.99 21 0"), DomainFormat::dxf)
+            .message.find("is open at") != std::string::npos);
+}
+
+TEST_CASE("two dividing lines that cross are told of as that") {
+  const Error error = refusal(dxf(open_square + "0 LINE 10 0 20 4 11 0 21 0 "
+                                                "0 LINE 10 1 20 0 11 1 21 4 "
+                                                "0 LINE 10 0 20 3 11 4 21 3"),
+                              DomainFormat::dxf);
+  CHECK(error.message.find("Two lines cross near (1, 3)") != std::string::npos);
+  CHECK(error.where.x == 1);
+  CHECK(error.where.y == 3);
+  CHECK(error.where.line > 0);
+}
+
 TEST_CASE("layers become tags and names; lines that divide make neighbours") {
   const auto file = read_dxf(
       "0 LWPOLYLINE 8 steel 70 1 10 0 20 0 10 4 20 0 10 4 20 4 10 0 20 4 "

@@ -29,8 +29,9 @@ std::size_t span_of(const BSpline& spline, double u) {
 
 class Flattener {
  public:
-  Flattener(const BSpline& spline, double tolerance, std::vector<Vec2>& polyline)
-      : spline_(spline), tolerance_(tolerance), polyline_(polyline) {}
+  Flattener(const BSpline& spline, double tolerance, std::vector<Vec2>& polyline,
+            std::vector<double>* bows)
+      : spline_(spline), tolerance_(tolerance), polyline_(polyline), bows_(bows) {}
 
   void span(double u, Vec2 p, double v, Vec2 q, int depth) {
     const double middle = 0.5 * (u + v);
@@ -39,6 +40,7 @@ class Flattener {
                       near(spline_point(spline_, 0.5 * (u + middle)), p, q) &&
                       near(spline_point(spline_, 0.5 * (middle + v)), p, q);
     if (flat || depth == deepest_halving || !(u < middle && middle < v)) {
+      if (bows_ != nullptr) bows_->push_back(bow_of(p, q, m));
       polyline_.push_back(q);
       return;
     }
@@ -54,6 +56,7 @@ class Flattener {
   const BSpline& spline_;
   double tolerance_;
   std::vector<Vec2>& polyline_;
+  std::vector<double>* bows_;
 };
 
 }  // namespace
@@ -96,9 +99,10 @@ void extend(Box& box, const BSpline& spline) {
   for (const Vec2 p : spline.control) extend(box, p);
 }
 
-void flatten(const BSpline& spline, double tolerance, std::vector<Vec2>& polyline) {
+void flatten(const BSpline& spline, double tolerance, std::vector<Vec2>& polyline,
+             std::vector<double>* bows) {
   const auto degree = static_cast<std::size_t>(spline.degree);
-  Flattener flattener(spline, tolerance, polyline);
+  Flattener flattener(spline, tolerance, polyline, bows);
   Vec2 p = spline_point(spline, spline.knots[degree]);
   polyline.push_back(p);
   for (std::size_t k = degree; k < spline.control.size(); ++k) {

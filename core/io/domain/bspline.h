@@ -26,7 +26,8 @@ void extend(Box& box, const BSpline& spline);
 
 /// Appends a polyline from the first to the last parameter. Every span between knots is halved
 /// until the curve at a quarter, half and three quarters lies within the tolerance of the chord.
-void flatten(const BSpline& spline, double tolerance, std::vector<Vec2>& polyline);
+void flatten(const BSpline& spline, double tolerance, std::vector<Vec2>& polyline,
+             std::vector<double>* bows = nullptr);
 
 /// The tangents (per parameter) of the natural cubic spline through the points, with the chords'
 /// lengths as parameter steps; `lengths` are those steps, all positive.

@@ -27,18 +27,29 @@ double squared_distance_to(Vec2 p, Vec2 a, Vec2 b) {
   return across * across / length2;
 }
 
-void flatten_cubic(Vec2 a, Vec2 b, Vec2 c, Vec2 d, double limit2, int depth,
-                   std::vector<Vec2>& polyline) {
+/// The polyline that is being made.
+struct Flattened {
+  std::vector<Vec2>& polyline;
+  std::vector<double>* bows;
+
+  /// The edge to p, for a curve that is at `middle` midway.
+  void add(Vec2 p, Vec2 middle) {
+    if (bows != nullptr) bows->push_back(bow_of(polyline.back(), p, middle));
+    polyline.push_back(p);
+  }
+};
+
+void flatten_cubic(Vec2 a, Vec2 b, Vec2 c, Vec2 d, double limit2, int depth, Flattened& flattened) {
   const bool flat =
       squared_distance_to(b, a, d) <= limit2 && squared_distance_to(c, a, d) <= limit2;
   if (flat || depth == deepest_halving) {
-    polyline.push_back(d);
+    flattened.add(d, 0.125 * (a + d) + 0.375 * (b + c));
     return;
   }
   const Vec2 ab = midpoint(a, b), bc = midpoint(b, c), cd = midpoint(c, d);
   const Vec2 abc = midpoint(ab, bc), bcd = midpoint(bc, cd), middle = midpoint(abc, bcd);
-  flatten_cubic(a, ab, abc, middle, limit2, depth + 1, polyline);
-  flatten_cubic(middle, bcd, cd, d, limit2, depth + 1, polyline);
+  flatten_cubic(a, ab, abc, middle, limit2, depth + 1, flattened);
+  flatten_cubic(middle, bcd, cd, d, limit2, depth + 1, flattened);
 }
 
 /// See CurvePath::arc_to.
@@ -70,7 +81,7 @@ void extend_by_arc(const Arc& arc, Box& box) {
 }
 
 /// Appends its corners, without its start and with its end.
-void flatten_arc(const Arc& arc, double tolerance, std::vector<Vec2>& polyline) {
+void flatten_arc(const Arc& arc, double tolerance, Flattened& flattened) {
   const Vec2 u = arc.radius();
   const double step = std::sqrt(8 * tolerance / largest_stretch(u, arc.axis));
   double pieces = std::ceil(std::abs(arc.sweep) / std::min(widest_step, step));
@@ -80,11 +91,17 @@ void flatten_arc(const Arc& arc, double tolerance, std::vector<Vec2>& polyline) 
   const bool whole_quarters = std::abs(std::abs(arc.sweep) - quarters * (pi / 2)) <= rounding;
   if (quarters > 0 && whole_quarters) pieces = quarters * std::ceil(pieces / quarters);
   if (!(pieces <= finest_arc)) pieces = finest_arc;  // also NaN
+  // The middle of a chord is nearer to the centre than that of its arc.
+  const double stretch = 1 / sin_cos(arc.sweep / (2 * pieces)).cos;
+  const auto add = [&](Vec2 p) {
+    const Vec2 chord = midpoint(flattened.polyline.back(), p);
+    flattened.add(p, arc.centre + stretch * (chord - arc.centre));
+  };
   for (double i = 1; i < pieces; ++i) {
     const SinCos t = sin_cos(arc.sweep * (i / pieces));
-    polyline.push_back(arc.centre + t.cos * u + t.sin * arc.axis);
+    add(arc.centre + t.cos * u + t.sin * arc.axis);
   }
-  polyline.push_back(arc.end);
+  add(arc.end);
 }
 
 }  // namespace
@@ -149,16 +166,22 @@ void CurvePath::extend(Box& box) const {
   }
 }
 
-void CurvePath::flatten(double tolerance, std::vector<Vec2>& polyline) const {
+double bow_of(Vec2 a, Vec2 b, Vec2 middle) {
+  return a == b ? 0 : cross(b - a, middle - a) / distance(a, b);
+}
+
+void CurvePath::flatten(double tolerance, std::vector<Vec2>& polyline,
+                        std::vector<double>* bows) const {
+  Flattened flattened{polyline, bows};
   polyline.push_back(points_[0]);
   const double limit = tolerance * (4.0 / 3);
   std::size_t at = 1;
   for (const Kind kind : kinds_) {
     const Vec2* p = points_.data() + at;
     switch (kind) {
-      case Kind::line: polyline.push_back(p[0]); break;
-      case Kind::cubic: flatten_cubic(p[-1], p[0], p[1], p[2], limit * limit, 0, polyline); break;
-      case Kind::arc: flatten_arc({p[-1], p[0], p[1], p[2].x, p[3]}, tolerance, polyline); break;
+      case Kind::line: flattened.add(p[0], p[0]); break;
+      case Kind::cubic: flatten_cubic(p[-1], p[0], p[1], p[2], limit * limit, 0, flattened); break;
+      case Kind::arc: flatten_arc({p[-1], p[0], p[1], p[2].x, p[3]}, tolerance, flattened); break;
     }
     at += point_count(kind);
   }

@@ -42,8 +42,10 @@ class CurvePath {
   void transform(const Affine& map);
   /// Grows the box by the path, or by control points around it.
   void extend(Box& box) const;
-  /// Appends the polyline, `start` included. Deterministic: only + - * / sqrt and sin_cos.
-  void flatten(double tolerance, std::vector<Vec2>& polyline) const;
+  /// Appends the polyline, `start` included, and the bow of each of its edges (see bow_of).
+  /// Deterministic: only + - * / sqrt and sin_cos.
+  void flatten(double tolerance, std::vector<Vec2>& polyline,
+               std::vector<double>* bows = nullptr) const;
 
  private:
   enum class Kind : char { line, cubic, arc };
@@ -53,6 +55,9 @@ class CurvePath {
   std::vector<Vec2>
       points_;  // start; then per piece: end | two controls, end | centre, axis, (sweep, 0), end
 };
+
+/// How far to the left of the edge from a to b its curve passes; `middle` is on it midway.
+double bow_of(Vec2 a, Vec2 b, Vec2 middle);
 
 /// The tolerance for curves that fill this box.
 double flattening_tolerance(const Box& box);

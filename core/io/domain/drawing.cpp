@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "base/words.h"
 #include "geometry/box.h"
 #include "geometry/segment.h"
+#include "io/domain/crossings.h"
 #include "io/number.h"
 
 namespace lpq {
@@ -153,13 +155,27 @@ std::string open_end_text(const Drawing& drawing, const std::vector<Index>& degr
   return text + ". Close it in the drawing.";
 }
 
-Error error_at_edge(const Drawing& drawing, Index edge, Index point, std::string message) {
+Error error_at_edge(const Drawing& drawing, Index edge, Vec2 at, std::string message) {
   const Drawing::Source& source = drawing.sources[drawing.lines.edges[edge].source];
   Error error{ErrorCode::parse_error, std::move(message), {}};
   error.where.set_line(source.line, source.byte);
-  const Vec2 at = drawing.lines.points[point];
   error.where.set_point(at.x, at.y);
   return error;
+}
+
+/// The first two lines that cross: around them nothing can be told of what divides what.
+std::optional<Error> crossing_error(const Drawing& drawing) {
+  const LineWork& lines = drawing.lines;
+  const auto crossings = find_crossings(lines);
+  if (!crossings || crossings->empty()) return std::nullopt;
+  const LineWork::Edge& one = lines.edges[crossings->front().edge];
+  const LineWork::Edge& two = lines.edges[crossings->front().other];
+  const auto at = [&](Index p) { return lines.points[p]; };
+  const Vec2 place = crossing_point(at(one.a), at(one.b), at(two.a), at(two.b));
+  return error_at_edge(drawing, crossings->front().edge, place,
+                       "Two lines cross near " + place_text(place) +
+                           " and have no end there, so that they divide nothing. Break both of "
+                           "them there.");
 }
 
 }  // namespace
@@ -287,18 +303,20 @@ std::string common_name(const Drawing& drawing, const Walk& walk) {
 
 Error open_chain_error(const Drawing& drawing, const NestedFaces& nested, double tolerance) {
   const std::vector<Index> degree = degrees(drawing.lines);
+  const std::vector<Vec2>& points = drawing.lines.points;
   for (const Walk& chain : nested.planar.chains) {
     const Index first = chain.points.front(), last = chain.points.back();
     const bool at_end = degree[first] != 1;
     if (at_end && degree[last] != 1) continue;
     return error_at_edge(
-        drawing, at_end ? chain.edges.back() : chain.edges.front(), at_end ? last : first,
+        drawing, at_end ? chain.edges.back() : chain.edges.front(), points[at_end ? last : first],
         open_end_text(drawing, degree, at_end ? last : first, at_end ? first : last, tolerance));
   }
+  if (const auto crossing = crossing_error(drawing)) return *crossing;
   const Walk& bridge = nested.planar.chains.front();
-  return error_at_edge(drawing, bridge.edges.front(), bridge.points.front(),
-                       "The line that begins at " +
-                           place_text(drawing.lines.points[bridge.points.front()]) +
+  const Vec2 start = points[bridge.points.front()];
+  return error_at_edge(drawing, bridge.edges.front(), start,
+                       "The line that begins at " + place_text(start) +
                            " leads from outline to outline and divides nothing. Remove it from "
                            "the drawing.");
 }

@@ -77,7 +77,8 @@ Index add_regions(const Drawing& drawing, const NestedFaces& nested, std::vector
 std::string common_name(const Drawing& drawing, const Walk& walk);
 
 /// The first loose end of the drawing as an error: what is open, and how far the nearest end and
-/// the nearest line are; without a loose end, the first line that joins outlines.
+/// the nearest line are; without a loose end, the first two lines that cross, or the first line that
+/// joins outlines.
 Error open_chain_error(const Drawing& drawing, const NestedFaces& nested, double tolerance);
 
 /// "2 INSERT and 1 TEXT": counted names, in the order of the first of each kind.

@@ -89,15 +89,17 @@ class DxfReader {
     }
     const double tolerance = flattening_tolerance(box);
     std::vector<Vec2> points;
+    std::vector<double> bows;
     for (const DxfPiece& piece : found_.pieces) {
       if (is_too_many(drawing_.lines.points.size(), text_.size())) return;  // join_drawing says so
       points.clear();
+      bows.clear();
       if (piece.curve->spline) {
-        lpq::flatten(spline_of(piece), tolerance, points);
+        lpq::flatten(spline_of(piece), tolerance, points, &bows);
       } else {
-        path_of(piece).flatten(tolerance, points);
+        path_of(piece).flatten(tolerance, points, &bows);
       }
-      drawing_.lines.add(points, piece.curve->closed, piece.source);
+      drawing_.lines.add(points, piece.curve->closed, piece.source, bows);
     }
   }
 

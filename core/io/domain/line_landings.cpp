@@ -18,8 +18,9 @@ class Lander {
     std::vector<Box> boxes;
     for (const LineWork::Edge& edge : lines.edges) {
       Box box = box_of(point(edge.a), point(edge.b));
-      box.lo = box.lo - Vec2{tolerance, tolerance};
-      box.hi = box.hi + Vec2{tolerance, tolerance};
+      const double reach = tolerance + std::abs(edge.bow);
+      box.lo = box.lo - Vec2{reach, reach};
+      box.hi = box.hi + Vec2{reach, reach};
       boxes.push_back(box);
     }
     tree_ = BoxTree(boxes);
@@ -48,7 +49,9 @@ class Lander {
     landings_.farthest_at = point(i);
   }
   double gap_to(Index e, Index i) const;
+  double gap_to_curve(const LineWork::Edge& edge, Vec2 p) const;
   void land(Index i);
+  void land_on_copies(Index e, Index i, double gap);
 
   LineWork& lines_;
   double tolerance_;
@@ -69,7 +72,31 @@ double Lander::gap_to(Index e, Index i) const {
     if (exact && meet(a, b, p, point(j)) == Meeting::overlapping) return HUGE_VAL;
   }
   if (exact) return 0;
-  return foot == a || foot == b ? HUGE_VAL : distance(p, foot);
+  return foot == a || foot == b ? HUGE_VAL : std::min(distance(p, foot), gap_to_curve(edge, p));
+}
+
+/// From the curve that the edge stands for: what ends exactly on a circle ends beside its chords.
+/// A curve that a few corners follow this closely is a parabola over every edge.
+double Lander::gap_to_curve(const LineWork::Edge& edge, Vec2 p) const {
+  const Vec2 way = point(edge.b) - point(edge.a), from_a = p - point(edge.a);
+  const double t = dot(from_a, way) / squared_length(way);
+  return std::abs(cross(way, from_a) / length(way) - 4 * edge.bow * t * (1 - t));
+}
+
+/// Edges drawn again are divided as well, to stay alike. Beside a curve nothing is to be told: the
+/// edges that stand for it are farther from it.
+void Lander::land_on_copies(Index e, Index i, double gap) {
+  const LineWork::Edge& edge = lines_.edges[static_cast<std::size_t>(e)];
+  const Vec2 p = point(i);
+  tree_.walk(
+      [&](Index, const Box& box) {
+        return overlap(box, Box{p, p});
+      },
+      [&](Index f) {
+        const LineWork::Edge& other = lines_.edges[static_cast<std::size_t>(f)];
+        if (std::minmax(edge.a, edge.b) == std::minmax(other.a, other.b))
+          add_stop(f, i, edge.bow != 0 ? 0 : gap);
+      });
 }
 
 void Lander::land(Index i) {
@@ -89,7 +116,7 @@ void Lander::land(Index i) {
         least = gap;
         nearest = e;
       });
-  if (nearest != none && least > 0) add_stop(nearest, i, least);
+  if (nearest != none && least > 0) land_on_copies(nearest, i, least);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ struct Landings {
 };
 
 /// Divides edges at the loose points that lie on them: exactly, or within `tolerance` on the
-/// nearest edge, unless an edge joins the point to one of its ends. Lines that run along each other
+/// nearest edge or the curve it stands for, unless an edge joins the point to one of its ends. Lines that run along each other
 /// are left for the door to judge. Requires points without duplicates. Cost O(n log n).
 Landings divide_at_landings(LineWork& lines, double tolerance);
 

@@ -160,14 +160,19 @@ void merge_equal_points(LineWork& lines) {
   }
 }
 
-void LineWork::add(std::span<const Vec2> polyline, bool closed, Index source) {
+void LineWork::add(std::span<const Vec2> polyline, bool closed, Index source,
+                   std::span<const double> bows) {
   const auto first = static_cast<Index>(points.size());
   points.insert(points.end(), polyline.begin(), polyline.end());
   loose.resize(points.size(), !closed);
   const auto end = static_cast<Index>(points.size());
   const Index outline = closed ? first : none;  // a number that no other one has
-  for (Index i = first; i + 1 < end; ++i) edges.push_back({i, i + 1, source, none, outline});
-  if (closed && end - first > 2) edges.push_back({end - 1, first, source, none, outline});
+  const auto add_edge = [&](Index a, Index b) {
+    const auto k = static_cast<std::size_t>(a - first);
+    edges.push_back({a, b, source, none, outline, k < bows.size() ? bows[k] : 0});
+  };
+  for (Index i = first; i + 1 < end; ++i) add_edge(i, i + 1);
+  if (closed && end - first > 2) add_edge(end - 1, first);
 }
 
 Joined join_points(LineWork& lines, double tolerance) {

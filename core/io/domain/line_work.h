@@ -17,14 +17,17 @@ struct LineWork {
     // It lies to the left, none to the right.
     Index painted = none;
     Index outline = none;  // of a closed polyline: which one; it runs from a to b
+    double bow = 0;        // the curve it stands for passes its middle this far to the left
   };
   std::vector<Vec2> points;
   std::vector<char> loose;  // #points, or empty: the point may be moved; it is of an open polyline
   std::vector<Edge> edges;
   std::vector<Edge> copies = {};  // what join_points dropped: each joins the points of another one
 
-  /// Appends a polyline; closed: with the edge from its last point to its first.
-  void add(std::span<const Vec2> polyline, bool closed, Index source);
+  /// Appends a polyline; closed: with the edge from its last point to its first. `bows` are those
+  /// of its edges; where there are no more they are straight.
+  void add(std::span<const Vec2> polyline, bool closed, Index source,
+           std::span<const double> bows = {});
 };
 
 /// Where an edge is to be divided.
