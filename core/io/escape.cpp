@@ -53,6 +53,32 @@ void append_utf8(std::string& out, std::string_view text, std::string_view bad, 
 
 }  // namespace
 
+bool is_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text, i);
+    if (length == 0) return false;
+    i += length;
+  }
+  return true;
+}
+
+void append_character(std::string& out, std::uint32_t code) {
+  const auto byte = [&out](std::uint32_t value) { out += static_cast<char>(value); };
+  if (code < 0x80) return byte(code);
+  if (code < 0x800) {
+    byte(0xC0 | code >> 6);
+  } else {
+    if (code < 0x10000) {
+      byte(0xE0 | code >> 12);
+    } else {
+      byte(0xF0 | code >> 18);
+      byte(0x80 | (code >> 12 & 63));
+    }
+    byte(0x80 | (code >> 6 & 63));
+  }
+  byte(0x80 | (code & 63));
+}
+
 void append_xml(std::string& out, std::string_view text) {
   append_utf8(out, text, "?", [&](char c) {
     switch (c) {

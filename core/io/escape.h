@@ -2,10 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace lpq {
+
+/// Whether the text is well-formed UTF-8.
+bool is_utf8(std::string_view text);
+/// The Unicode character of this number in UTF-8.
+void append_character(std::string& out, std::uint32_t code);
 
 /// XML text or attribute value: & < > " ' escaped, characters that XML 1.0 forbids replaced by '?'.
 void append_xml(std::string& out, std::string_view text);

@@ -302,6 +302,37 @@ TEST_CASE("a circle is the same one however it was drawn") {
             .domain.regions.size() == 2);
 }
 
+TEST_CASE("layers are named in the letters of the drawing") {
+  const auto read = [](const std::string& layer, const std::string& code_page) {
+    std::string text = dxf("0 CIRCLE 8 " + layer + " 10 0 20 0 40 1");
+    if (!code_page.empty())
+      text = "0\nSECTION\n2\nHEADER\n9\n$DWGCODEPAGE\n3\n" + code_page + "\n0\nENDSEC\n" + text;
+    return lpq_test::read_file(text, DomainFormat::dxf);
+  };
+  const auto name = [&](const std::string& layer, const std::string& code_page = "ANSI_1252") {
+    const auto file = read(layer, code_page);
+    CHECK(file.warnings.empty());
+    return file.domain.regions[0].name;
+  };
+  CHECK(name("A\\U+00C4B", "") ==
+        "A\xC3\x84"
+        "B");
+  CHECK(name("\\U+D83D\\U+DE00") == "\xF0\x9F\x98\x80");
+  CHECK(name("\\U+00C\\U+") == "\\U+00C\\U+");
+  CHECK(name("\\U+DE00") == "\xEF\xBF\xBD");
+  CHECK(name("\xC4\x80") == "\xC4\x80");  // UTF-8 whatever the header says
+  CHECK(name("\xC4") == "\xC3\x84");
+  CHECK(name("\xC4", "iso8859-1") == "\xC3\x84");
+  CHECK(name("\x80\x99") == "\xE2\x82\xAC\xE2\x84\xA2");
+  const auto guessed = read("\xD6", "");
+  CHECK(guessed.domain.regions[0].name == "\xC3\x96");
+  CHECK(guessed.warnings.size() == 1);
+  const auto unknown = read("a\xD6", "ANSI_932");
+  CHECK(unknown.domain.regions[0].name == "a?");
+  REQUIRE(unknown.warnings.size() == 1);
+  CHECK(unknown.warnings[0].message.find("\"ANSI_932\"") != std::string::npos);
+}
+
 TEST_CASE("what DXF leaves out is counted") {
   const auto file = read_dxf(
       "0 CIRCLE 10 0 20 0 30 5 40 1 0 INSERT 2 x 10 0 20 0 66 1 0 ATTRIB 1 y 0 SEQEND "

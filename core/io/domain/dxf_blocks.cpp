@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "io/escape.h"
+
 namespace lpq {
 namespace {
 
@@ -16,7 +18,8 @@ std::string quoted(std::string_view name) { return "\"" + std::string(name.subst
 
 class Placer {
  public:
-  Placer(const DxfSections& sections, Drawing& drawing) : sections_(sections), drawing_(drawing) {}
+  Placer(const DxfSections& sections, DxfLetters letters, Drawing& drawing)
+      : sections_(sections), letters_(letters), drawing_(drawing) {}
 
   Result<DxfPieces> place() {
     add_items(sections_.drawing, {{}, false, "0", false});
@@ -49,6 +52,7 @@ class Placer {
   void add_copies(const DxfItem& item, const DxfBlock& block, const Place& place);
 
   const DxfSections& sections_;
+  DxfLetters letters_;
   Drawing& drawing_;
   DxfPieces found_;
   std::vector<const DxfBlock*> around_;  // the blocks that are being placed, outermost first
@@ -86,7 +90,8 @@ void Placer::add_curve(const DxfItem& item, Place place) {
   found_.heights += item.curve->has_height ? 1 : 0;
   found_.interpolated += item.curve->interpolated ? 1 : 0;
   if (place.layer == "0") place.layer = {};
-  const Index source = drawing_.add_source(place.layer, item.line, item.byte);
+  if (letters_ != DxfLetters::utf8 && !is_utf8(place.layer)) found_.foreign_names = true;
+  const Index source = drawing_.add_source(dxf_name(place.layer, letters_), item.line, item.byte);
   found_.pieces.push_back({&*item.curve, place.moved, place.map, source, place.on_paper});
 }
 
@@ -143,8 +148,9 @@ void Placer::add_copies(const DxfItem& item, const DxfBlock& block, const Place&
 
 }  // namespace
 
-Result<DxfPieces> place_dxf_blocks(const DxfSections& sections, Drawing& drawing) {
-  return Placer(sections, drawing).place();
+Result<DxfPieces> place_dxf_blocks(const DxfSections& sections, DxfLetters letters,
+                                   Drawing& drawing) {
+  return Placer(sections, letters, drawing).place();
 }
 
 }  // namespace lpq

@@ -37,7 +37,9 @@ class DxfReader {
   Result<DomainFile> read() {
     const auto sections = read_dxf_sections(text_);
     if (!sections) return sections.error();
-    auto placed = place_dxf_blocks(*sections, drawing_);
+    letters_ = dxf_letters(text_, sections->code_page);
+    code_page_ = sections->code_page;
+    auto placed = place_dxf_blocks(*sections, letters_, drawing_);
     if (!placed) return placed.error();
     found_ = *std::move(placed);
     leave_out_paper();
@@ -107,6 +109,20 @@ class DxfReader {
     if (applies) file_.warnings.push_back({code, message, {}});
   }
 
+  void warn_of_letters() {
+    if (!found_.foreign_names) return;
+    const std::string page = "\"" + std::string(code_page_.substr(0, 40)) + "\"";
+    warn(
+        letters_ == DxfLetters::unknown,
+        "Layers are named in the code page " + page +
+            ", which is not known here: their letters outside ASCII became \"?\". Save the drawing "
+            "in the format of 2007 or later.",
+        ErrorCode::adapted);
+    warn(code_page_.empty(),
+         "The drawing does not say in which code page its layers are named; ANSI_1252 was taken.",
+         ErrorCode::adapted);
+  }
+
   void warn_of_entities() {
     warn(found_.left_out.any(), "Left out: " + found_.left_out.text() + ".");
     warn(found_.hidden.any(),
@@ -132,6 +148,7 @@ class DxfReader {
 
   Result<DomainFile> finish() {
     warn_of_entities();
+    warn_of_letters();
     const double tolerance = join_tolerance * drawing_size(drawing_.lines);
     if (Problem problem = join_drawing(drawing_, text_.size(), tolerance, file_.warnings))
       return *problem;
@@ -144,6 +161,8 @@ class DxfReader {
   }
 
   std::string_view text_;
+  std::string_view code_page_;
+  DxfLetters letters_ = DxfLetters::utf8;
   Drawing drawing_;
   DxfPieces found_;
   DomainFile file_;

@@ -6,11 +6,11 @@
 // even-odd rule says what is material, as in svg_domain.h; lines that divide an outline make
 // neighbouring regions, and what was drawn again on another layer exactly over the border of a hole
 // fills it. A layer other than "0" becomes the tag of its edges, and the name of the regions that
-// its lines alone enclose, or a closed outline of it, the smallest around. Coordinates are taken as they are: $INSUNITS is ignored,
-// and z. Blocks are drawn where INSERT entities put them, scaled, mirrored, turned, in rows and
-// columns, and within other blocks; what a block has on layer "0" is on the layer of its INSERT.
-// What is invisible, or on a layer that is off or frozen, is left out with a warning, and so are
-// other entities (TEXT, DIMENSION, HATCH ...).
+// its lines alone enclose, or a closed outline of it, the smallest around. Coordinates are taken as
+// they are: $INSUNITS is ignored, and z. Blocks are drawn where INSERT entities put them, scaled,
+// mirrored, turned, in rows and columns, and within other blocks; what a block has on layer "0" is
+// on the layer of its INSERT. What is invisible, or on a layer that is off or frozen, is left out
+// with a warning, and so are other entities (TEXT, DIMENSION, HATCH ...).
 #pragma once
 
 #include <string_view>

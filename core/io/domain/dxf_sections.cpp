@@ -80,7 +80,10 @@ class SectionReader {
     while (!failed_ && next()) {
       if (in_header && group_.code == 2) {
         section_ = group_.value;
+        bool is_code_page = false;
         while (next() && group_.code != 0) {
+          if (is_code_page) sections_.code_page = group_.value;
+          is_code_page = group_.code == 9 && group_.value == "$DWGCODEPAGE";
         }
         return !failed_;
       }

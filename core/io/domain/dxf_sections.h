@@ -46,7 +46,8 @@ struct DxfBlock {
 struct DxfSections {
   std::map<std::string, DxfLayer> layers;  // by names in small letters, as CAD compares them
   std::map<std::string, DxfBlock> blocks;
-  DxfBlock drawing;  // the ENTITIES section
+  DxfBlock drawing;            // the ENTITIES section
+  std::string_view code_page;  // $DWGCODEPAGE of the HEADER section
 };
 
 /// The key of a layer or block: its name with A-Z as a-z.
