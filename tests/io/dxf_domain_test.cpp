@@ -257,6 +257,32 @@ TEST_CASE("closed outlines side by side keep their names, and divided ones pass 
   CHECK(names_by_place(lined) == Names{{0, "steel"}, {4, "air"}});
 }
 
+TEST_CASE("closed outlines side by side may share a part of an edge") {
+  const std::string a = rectangle("a", 0, 0, 10, 10);
+  for (const std::string& b :
+       {rectangle("b", 10, 2, 10, 6), rectangle("b", 10, -3, 10, 20), rectangle("b", 10, 5, 10, 10),
+        rectangle("b", 10, 0, 10, 4), rectangle("b", -5, 10, 20, 1)})
+    for (const std::string& entities : {a + b, b + a}) {
+      INFO(entities);
+      const auto file = read_dxf(entities);
+      REQUIRE(file.domain.regions.size() == 2);
+      CHECK(file.domain.regions[0].name != file.domain.regions[1].name);
+      CHECK(make_domain(file.domain).has_value());
+      CHECK(total_area(file.domain) == area(a) + area(b));
+    }
+  // Turned, with six digits: beside the edge by rounding.
+  const auto turned = read_dxf(
+      "0 LWPOLYLINE 70 1 10 0 20 0 10 9.55336 20 2.9552 10 6.59816 20 12.5086 10 -2.9552 20 "
+      "9.55336 "
+      "0 LWPOLYLINE 70 1 10 8.96232 20 4.86588 10 18.5157 20 7.82108 10 16.7426 20 13.5531 "
+      "10 7.1892 20 10.5979");
+  CHECK(turned.domain.regions.size() == 2);
+  CHECK(make_domain(turned.domain).has_value());
+  // One that overlaps another one, or lies in it along its border, is for the door to judge.
+  for (const std::string& b : {rectangle("b", 5, 0, 10, 10), rectangle("b", 7, 2, 3, 3)})
+    CHECK_FALSE(make_domain(read_dxf(a + b).domain).has_value());
+}
+
 TEST_CASE("what exactly fills a hole is material with its name, a hole drawn twice stays one") {
   const std::string plate = rectangle("steel", 0, 0, 10, 10);
   const std::string hole = rectangle("steel", 3, 3, 3, 3), core = rectangle("copper", 3, 3, 3, 3);

@@ -2,8 +2,9 @@
 // Outlines are the LINE, ARC, CIRCLE, ELLIPSE, SPLINE, LWPOLYLINE and POLYLINE entities of model
 // space (of paper space if model space has none), joined where they meet: points of open pieces
 // that are nearer than 1e-5 of the drawing's size to another one become one (a warning says so
-// beyond rounding), and lines are divided where others end on them. Everything must close. The
-// even-odd rule says what is material, as in svg_domain.h; lines that divide an outline make
+// beyond rounding), and lines are divided where others end on them, or on the curves that they
+// stand for, and where corners of neighbouring closed outlines lie on them. Everything must close.
+// The even-odd rule says what is material, as in svg_domain.h; lines that divide an outline make
 // neighbouring regions, and what was drawn again on another layer exactly over the border of a hole
 // fills it. A layer other than "0" becomes the tag of its edges, and the name of the regions that
 // its lines alone enclose, or a closed outline of it, the smallest around. Coordinates are taken as

@@ -43,6 +43,20 @@ void keep_common(std::vector<Index>& shared, std::span<const DrawnEdge> drawn) {
 
 }  // namespace
 
+std::vector<double> outline_areas(const LineWork& lines) {
+  std::vector<double> twice_area;
+  const auto add = [&](const LineWork::Edge& edge) {
+    if (edge.outline == none) return;
+    const auto size = static_cast<std::size_t>(edge.outline) + 1;
+    if (twice_area.size() < size) twice_area.resize(size, 0);
+    const Vec2 origin = lines.points.front();
+    twice_area[edge.outline] += cross(lines.points[edge.a] - origin, lines.points[edge.b] - origin);
+  };
+  for (const LineWork::Edge& edge : lines.edges) add(edge);
+  for (const LineWork::Edge& copy : lines.copies) add(copy);
+  return twice_area;
+}
+
 DrawnEdges drawn_edges_of(const LineWork& lines, const std::vector<Index>& first_of_name) {
   DrawnEdges drawn;
   const std::vector<Index> original = originals(lines);
@@ -55,16 +69,7 @@ DrawnEdges drawn_edges_of(const LineWork& lines, const std::vector<Index>& first
     for (std::size_t c = 0; c < original.size(); ++c)
       emit(original[c], drawn_as(lines.copies[c], lines.copies[c].a == lines.edges[original[c]].a));
   });
-  const auto add_area = [&](const LineWork::Edge& edge) {
-    if (edge.outline == none) return;
-    const auto size = static_cast<std::size_t>(edge.outline) + 1;
-    if (drawn.twice_area.size() < size) drawn.twice_area.resize(size, 0);
-    const Vec2 origin = lines.points.front();
-    drawn.twice_area[edge.outline] +=
-        cross(lines.points[edge.a] - origin, lines.points[edge.b] - origin);
-  };
-  for (const LineWork::Edge& edge : lines.edges) add_area(edge);
-  for (const LineWork::Edge& copy : lines.copies) add_area(copy);
+  drawn.twice_area = outline_areas(lines);
   return drawn;
 }
 

@@ -20,6 +20,9 @@ struct DrawnEdges {
   std::vector<double> twice_area;  // of outlines; positive: they run counter-clockwise
 };
 
+/// Twice the signed area of every closed outline, copies included.
+std::vector<double> outline_areas(const LineWork& lines);
+
 /// Of joined lines; first_of_name[s] is the first source with the name of source s. Cost
 /// O(n log n).
 DrawnEdges drawn_edges_of(const LineWork& lines, const std::vector<Index>& first_of_name);
