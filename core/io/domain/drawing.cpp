@@ -89,7 +89,7 @@ std::vector<char> fill_drawn_holes(const Drawing& drawing, const NestedFaces& ne
     const Index around = nested.tree.parent[f];
     turned[f] = around != none && turned[around];
     if (turned[f]) filled[f] = !filled[f];
-    if (filled[f] || around == none) continue;
+    if (filled[f] || around == none || !filled[around]) continue;
     const Walk& face = nested.planar.faces[f];
     if (enclosure_of(drawing.drawn, drawing.lines, face).all().size() < 2) continue;
     fills[f] = filled[f] = 1;
