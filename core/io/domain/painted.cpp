@@ -150,6 +150,8 @@ std::optional<LineWork::Edge> Painter::border(std::size_t edge) const {
   const bool left = painted_[sides_.walk[2 * edge]], right = painted_[sides_.walk[2 * edge + 1]];
   if (left == right) return std::nullopt;
   LineWork::Edge border = map_.lines.edges[edge];
+  border.outline = none;
+  border.bow = 0;
   if (right) std::swap(border.a, border.b);
   return border;
 }
@@ -223,7 +225,9 @@ void append(const LineWork::Edge& edge, const LineWork& from, LineWork& lines) {
     lines.points.push_back(from.points[p]);
     lines.loose.push_back(from.loose[p]);
   }
-  lines.edges.push_back({a, a + 1, edge.source, edge.painted});
+  lines.edges.push_back(edge);
+  lines.edges.back().a = a;
+  lines.edges.back().b = a + 1;
 }
 
 /// The edges, by what hangs together.

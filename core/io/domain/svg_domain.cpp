@@ -53,17 +53,19 @@ void SvgReader::flatten() {
   for (const SvgOutline& outline : found_.outlines) outline.path.curve.extend(box);
   const double tolerance = flattening_tolerance(box);
   std::vector<Vec2> points;
+  std::vector<double> bows;
   for (SvgOutline& outline : found_.outlines) {
     if (is_too_many(drawing_.lines.points.size(), text_.size())) return;  // join_drawing says so
     points.clear();
-    outline.path.curve.flatten(tolerance, points);
+    bows.clear();
+    outline.path.curve.flatten(tolerance, points, &bows);
     bool closed = outline.path.closed;
     if (!closed && outline.fill != FillRule::unfilled && points.size() > 2) {
       closed = true;  // as filling does (SVG 1.1, 11.3)
       if (!(points.front() == points.back())) ++closed_by_fill_;
     }
     if (closed) drop_rounded_end(diagonal(box), tolerance, points);
-    drawing_.lines.add(points, closed, outline.source);
+    drawing_.lines.add(points, closed, outline.source, bows);
     outline.path.curve = CurvePath();
   }
 }

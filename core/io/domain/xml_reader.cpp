@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "io/escape.h"
 #include "io/plain_text.h"
 #include "io/text_place.h"
 
@@ -14,25 +15,6 @@ constexpr std::size_t deepest = 256;       // elements within elements
 constexpr std::size_t most_prefixes = 32;  // of SVG: every name is compared with them
 constexpr std::string_view svg_namespace = "http://www.w3.org/2000/svg";
 constexpr std::string_view blanks = " \t\r\n";
-
-void append_utf8(std::string& out, std::uint32_t code) {
-  const auto byte = [&out](std::uint32_t value) { out += static_cast<char>(value); };
-  if (code < 0x80) {
-    byte(code);
-  } else if (code < 0x800) {
-    byte(0xC0 | code >> 6);
-    byte(0x80 | (code & 63));
-  } else if (code < 0x10000) {
-    byte(0xE0 | code >> 12);
-    byte(0x80 | (code >> 6 & 63));
-    byte(0x80 | (code & 63));
-  } else {
-    byte(0xF0 | code >> 18);
-    byte(0x80 | (code >> 12 & 63));
-    byte(0x80 | (code >> 6 & 63));
-    byte(0x80 | (code & 63));
-  }
-}
 
 /// The character of "#65" or "#x41", 0 if it is none.
 std::uint32_t character_of(std::string_view digits) {
@@ -63,7 +45,7 @@ bool append_entity(std::string& out, std::string_view name) {
     return true;
   }
   const std::uint32_t code = !name.empty() && name[0] == '#' ? character_of(name) : 0;
-  if (code != 0) append_utf8(out, code);
+  if (code != 0) append_character(out, code);
   return code != 0;
 }
 
