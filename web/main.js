@@ -46,7 +46,7 @@ function scene() {
 const themes = new Themes();
 const handed = await handedFile();
 const opened = await openFirst();
-const store = new Store(opened.project ?? presets[0].project);
+const store = new Store(opened.first ?? presets[0].project);
 const runner = new Runner(createEngine);
 const preview = new Preview(createEngine);
 const actions = new Actions();
@@ -99,18 +99,19 @@ Object.assign(globalThis, { playground: app });  // for the browser's console
 addEventListener('hashchange', async ({ newURL }) => {
   const { project, place, notice } = await openFragment(new URL(newURL).hash);  // the address bar may follow the project by now
   if (notice) app.notify(notice);
-  const { chapter, inTour } = app.keeping;
+  const before = store.project;
+  if (!project && !location.hash && !place.chapter) app.keeping.leave();  // Back, and the drawing was too much for an address
   if (!notice && !place.chapter) app.keeping.close();
-  const { drawing } = store.project;
   if (project) store.change('Open a link', project);
-  else if (inTour && !location.hash && !place.chapter) store.change('Leave the tour', chapter.before);  // Back, and the drawing was too much for an address
-  if (store.project.drawing !== drawing) stage.fit();
+  if (store.project.drawing !== before.drawing) stage.fit();
   if (project && place.tick !== undefined) void runner.seek(place.tick);
-  openChapter(place.chapter, project === null);
+  openChapter(place.chapter, project === null, before);
 });
 if (opened.notice) app.notify(opened.notice);
-if (opened.project === null && !opened.place.chapter && !handed) installWelcome(app);
+if (opened.first === null && !opened.place.chapter && !handed) installWelcome(app);
+const first = store.project;
+if (opened.project) store.change('Open a link', opened.project);
 startRun(store.project, 'play');
 if (opened.place.tick !== undefined) void runner.seek(opened.place.tick);
-openChapter(opened.place.chapter, opened.project === null);
+openChapter(opened.place.chapter, opened.project === null, first);
 if (handed) void app.openFiles([handed]);

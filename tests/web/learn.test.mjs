@@ -216,3 +216,57 @@ test('the first visit says what the page is; later ones do not', async () => {
   assert.equal(await page.getByRole('button', { name: /Take the tour/ }).count(), 0);
   await page.context().close();
 });
+
+/** A drawing of the visitor's own, with the tour open over it. */
+async function tourOverOwn(hash = '') {
+  const page = await playground.open({ hash: '#preset=square&options=size:0.25' });
+  await finished(page);
+  await page.evaluate(() => globalThis.playground.store.change('Own', ({ drawing }) => ({ preset: '', name: 'mine', drawing: { ...drawing } })));
+  if (hash === '') await page.evaluate(() => globalThis.playground.actions.run('learn.start'));
+  else await page.evaluate((to) => { location.hash = to; }, hash);
+  await page.waitForFunction(() => location.hash.includes('chapter='));
+  return page;
+}
+
+for (const [way, hash] of [['started', ''], ['opened by a link', '#chapter=field'], ['opened by a link with a changed figure', '#preset=plate&chapter=field&options=size:0.1']])
+  test(`a tour that was ${way} keeps the visitor's drawing, over a reload and to the next visit`, async () => {
+    const page = await tourOverOwn(hash);
+    await page.reload();
+    await page.waitForFunction(() => globalThis.playground?.keeping.inTour);
+    assert.equal((await projectOf(page)).preset, 'plate');
+    await page.getByRole('button', { name: 'Back to my drawing' }).click();
+    assert.equal((await projectOf(page)).name, 'mine');
+    await page.keyboard.press('Control+z');  // into the tour again
+    await page.waitForFunction(() => globalThis.playground.store.project.preset === 'plate');
+    await page.goto('about:blank');
+    await page.goto(playground.address);
+    await page.waitForFunction(() => globalThis.playground !== undefined);
+    assert.equal((await projectOf(page)).name, 'mine');
+    assert.deepEqual((await projectOf(page)).options, { size: 0.25 });
+    assert.deepEqual(page.errors, []);
+    await page.context().close();
+  });
+
+test('a drawing that the tour was left for with Undo is kept as it is changed', async () => {
+  const page = await playground.open();  // the first preset: the tour has the same drawing
+  await finished(page);
+  await page.evaluate(() => globalThis.playground.actions.run('learn.start'));
+  await page.evaluate(() => globalThis.playground.store.undo());
+  await page.evaluate(() => globalThis.playground.store.change('Size', { options: { size: 0.2 } }));
+  await page.goto('about:blank');
+  await page.goto(playground.address);
+  await page.waitForFunction(() => globalThis.playground !== undefined);
+  assert.deepEqual((await projectOf(page)).options, { size: 0.2 });
+  await page.context().close();
+});
+
+test('the last chapter leads back to the drawing, and no further', async () => {
+  const page = await playground.open({ hash: `#chapter=${chapters.at(-1).id}` });
+  await chapterOpen(page, chapters.length - 1);
+  assert.equal(await page.getByRole('button', { name: 'Next chapter' }).count(), 0);
+  await page.getByRole('button', { name: 'Back to my drawing' }).click();
+  await page.waitForFunction(() => !location.hash.includes('chapter'));
+  assert.equal(await page.evaluate(() => globalThis.playground.tabs.current), 'domain');
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});

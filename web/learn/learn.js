@@ -1,6 +1,7 @@
 // The Learn tab: one chapter at a time, with its live figure on the stage and its formula.
 /** @import { App } from '../app' */
 /** @import { Chapter } from './chapters.js' */
+/** @import { Project } from '../types' */
 import { h } from '../panels/dom.js';
 import { chapters } from './chapters.js';
 import { showFigure, watch } from './figure.js';
@@ -8,7 +9,7 @@ import { paperReference } from './paper.js';
 
 /** @param {App} app */
 export function installLearn(app) {
-  const { actions, keeping, store, tabs } = app;
+  const { actions, keeping, stage, store, tabs } = app;
   let at = -1;
   const list = h('ol', { className: 'chapters' }, ...chapters.map(({ id, title }, k) =>
     h('li', null, h('a', { href: `#chapter=${id}`, onclick: (/** @type {MouseEvent} */ event) => follow(event, k) }, title))));
@@ -22,20 +23,27 @@ export function installLearn(app) {
     open(k);
   }
 
-  /** @param {number} k  @param {{figure?: boolean}} [how]  without its figure: the link brought another */
-  function open(k, { figure = true } = {}) {
+  /** @param {number} k  @param {{figure?: boolean, before?: Project}} [how]  without its figure: the link brought another */
+  function open(k, { figure = true, before = store.project } = {}) {
     at = k;
-    const chapter = chapters[k], { project } = store;
+    const chapter = chapters[k];
     const focused = document.activeElement?.closest('[role=tabpanel]');
     tabs.open('learn');
     page.replaceChildren(...pageOf(chapter, k, app));
     if (focused) page.querySelector('h2')?.focus({ preventScroll: true });  // what had the focus is gone
     [...list.children].forEach((item, i) => item.firstElementChild?.toggleAttribute('aria-current', i === k));
     if (figure) showFigure(app, chapter);
-    keeping.open(chapter.id, figure ? project : null);
+    keeping.open(chapter.id, before, figure);
     app.announce(`Chapter ${k + 1} of ${chapters.length}: ${chapter.title}`);
     actions.refresh();
     body.scrollTop = 0;
+  }
+
+  function leave() {
+    keeping.leave();
+    stage.fit();
+    tabs.open('domain');
+    app.announce('Back to your drawing');
   }
 
   const reading = () => at >= 0 && tabs.current === 'learn';  // elsewhere a key must not take the drawing away
@@ -44,6 +52,7 @@ export function installLearn(app) {
     { id: 'learn.next', label: 'Next chapter', icon: 'next', keys: ['N'], enabled: () => reading() && at < chapters.length - 1, run: () => open(at + 1) },
     { id: 'learn.previous', label: 'Previous chapter', icon: 'previous', keys: ['Shift+N'], enabled: () => reading() && at > 0, run: () => open(at - 1) },
     { id: 'learn.watch', label: 'Watch it happen', icon: 'play', enabled: () => keeping.inTour, run: () => watch(app, chapters[at]) },
+    { id: 'learn.leave', label: 'Back to my drawing', icon: 'undo', enabled: () => keeping.inTour, run: leave },
     { id: 'learn.figure', label: 'Show its figure', icon: 'again', enabled: () => at >= 0 && store.project !== keeping.chapter.figure, run: () => open(at) },
   );
   page.append(
@@ -51,15 +60,17 @@ export function installLearn(app) {
     h('p', null, 'A short tour for those who have never meshed anything. Every step has a figure that you can play, change and undo; your drawing comes back with Undo.'),
     h('div', { className: 'buttons' }, actions.button('learn.start', { text: 'Start the tour', className: 'primary' })));
 
-  /** Opens a chapter by its name in a link. @param {string | undefined} id  @param {boolean} figure */
-  return (id, figure) => {
+  /** Opens a chapter by its name in a link. @param {string | undefined} id  @param {boolean} figure  @param {Project} [before] */
+  return (id, figure, before) => {
     const k = chapters.findIndex((chapter) => chapter.id === id);
-    if (k >= 0) open(k, { figure });
+    if (k >= 0) open(k, { figure, before });
   };
 }
 
 /** @param {Chapter} chapter  @param {number} k  @param {App} app */
 function pageOf({ title, text, formula, spoken, source }, k, { actions }) {
+  const onwards = k < chapters.length - 1 ? ['learn.next', 'learn.leave'] : ['learn.leave'];
+  const buttons = onwards.map((id, i) => actions.button(id, { labelled: true, className: i === 0 ? 'primary' : '' }));
   const math = h('div', { className: 'formula' });
   const calm = formula.replace(/<mo>([()‖])<\/mo>/g, '<mo stretchy="false">$1</mo>');
   math.innerHTML = `<math display="block" aria-label="${spoken}">${calm}</math>`;  // ours, from chapters.js
@@ -68,7 +79,7 @@ function pageOf({ title, text, formula, spoken, source }, k, { actions }) {
     h('h2', { tabIndex: -1 }, title),
     h('p', null, text.replace(/\s+/g, ' ')),
     h('figure', null, math, h('figcaption', null, source)),
-    h('div', { className: 'buttons' }, actions.button('learn.previous'), actions.button('learn.next', { labelled: true, className: 'primary' }),
-      actions.button('learn.watch', { labelled: true }), actions.button('learn.figure', { labelled: true })),
+    h('div', { className: 'buttons' }, actions.button('learn.previous'), buttons[0],
+      actions.button('learn.watch', { labelled: true }), actions.button('learn.figure', { labelled: true }), ...buttons.slice(1)),
   ];
 }

@@ -14,14 +14,11 @@ const stored = 'project';
 
 /** @typedef {{project: Project | null, place: Place, notice: string}} Opened */
 
-/** What the page shows first: what its address says, else what was there last. @returns {Promise<Opened>} */
+/** What the page shows `first`: what its address says, else what was there last. The tour takes the place of that.
+ * @returns {Promise<Opened & {first: Project | null}>} */
 export async function openFirst() {
-  if (location.hash.length > 1) {
-    const opened = await openFragment(location.hash);
-    if (opened.project !== null || opened.place.chapter) return opened;
-    return { ...opened, project: lastProject() };
-  }
-  return { project: lastProject(), place: {}, notice: '' };
+  const opened = location.hash.length > 1 ? await openFragment(location.hash) : { project: null, place: {}, notice: '' };
+  return { ...opened, first: opened.place.chapter ? lastProject() : opened.project ?? lastProject() };
 }
 
 /** @param {string} fragment  @returns {Promise<Opened>} */
@@ -51,22 +48,23 @@ export class Keeping {
   #turn = 0;
   #full = false;
   /**
-   * The chapter of the tour that was opened last; `figure`: the project as it set it; `before`: that which the tour took the place of.
-   * @type {{id: string, open: boolean, figure: Project | null, drawing: Project['drawing'] | null, before: Project}}
+   * The chapter of the tour that was opened last; `shown`: the project that it was opened with, `figure`: the same if it is the chapter's own;
+   * `before`: that which the tour took the place of.
+   * @type {{id: string, open: boolean, shown: Project | null, figure: Project | null, before: Project}}
    */
-  chapter = { id: '', open: false, figure: null, drawing: null, before: emptyProject };
+  chapter = { id: '', open: false, shown: null, figure: null, before: emptyProject };
 
   /** @param {Pick<App, 'store' | 'runner' | 'notify'>} app */
   constructor(app) {
     this.#app = app;
-    app.store.subscribe(() => this.#soon());
+    app.store.subscribe((project) => this.#follows(project));
     app.runner.subscribe(() => this.#soon());
     addEventListener('pagehide', () => this.save());
     document.addEventListener('visibilitychange', () => { if (document.hidden) this.save(); });
   }
 
   /** @param {Project} project  whether it is the open chapter's figure, changed perhaps */
-  #ofTour({ drawing }) { return this.chapter.open && drawing === this.chapter.drawing; }
+  #ofTour({ drawing }) { return this.chapter.open && drawing === this.chapter.shown?.drawing; }
 
   /** Whether the tour's figure is on the screen. */
   get inTour() { return this.#ofTour(this.#app.store.project); }
@@ -74,16 +72,23 @@ export class Keeping {
   /** What the person had the layers set to: those of the tour go with its figure. */
   get layers() { return this.inTour ? this.chapter.before.layers : this.#app.store.project.layers; }
 
-  /** @param {string} id  @param {Project | null} before  what the chapter's own figure took the place of, if that is shown */
-  open(id, before) {
+  /** @param {string} id  @param {Project} before  what is no longer shown  @param {boolean} own  the chapter's own figure is shown */
+  open(id, before, own) {
     const { project } = this.#app.store;
-    const first = before === null ? { ...project, layers: emptyProject.layers } : this.#ofTour(before) ? this.chapter.before : before;
-    this.chapter = { id, open: true, figure: before && project, drawing: project.drawing, before: first };
+    const first = this.#ofTour(before) ? this.chapter.before : before;
+    this.chapter = { id, open: true, shown: project, figure: own ? project : null, before: first };
     const address = `#chapter=${id}`;
-    if (before !== null && location.hash !== address) {
+    if (own && location.hash !== address) {
       ++this.#turn;
       history.pushState(null, '', address);  // so that Back leads to the chapter before
     }
+    this.#soon();
+  }
+
+  /** Undo and redo lead out of the tour and into it again. @param {Project} project */
+  #follows(project) {
+    if (project === this.chapter.before) this.chapter.open = false;
+    if (project === this.chapter.shown) this.chapter.open = true;
     this.#soon();
   }
 
@@ -91,6 +96,13 @@ export class Keeping {
   close() {
     this.chapter = { ...this.chapter, open: false };
     this.#soon();
+  }
+
+  /** Out of the tour: what it took the place of is there again. */
+  leave() {
+    if (!this.inTour) return;
+    this.close();
+    this.#app.store.change('Leave the tour', this.chapter.before);
   }
 
   /** Where the run stands, if that is not its end. @returns {Place} */
@@ -115,9 +127,9 @@ export class Keeping {
     history.replaceState(null, '', fragment.length <= longestLink ? fragment : location.pathname + location.search);
   }
 
-  /** Keeps the project for the next visit. */
+  /** Keeps the project for the next visit: the person's, not the tour's. */
   save() {
-    const full = !keep(stored, projectText(this.#app.store.project));
+    const full = !keep(stored, projectText(this.inTour ? this.chapter.before : this.#app.store.project));
     if (full && !this.#full) this.#app.notify('This browser keeps nothing for the next visit: its storage is full or switched off. Save the project as a file.');
     this.#full = full;
   }
