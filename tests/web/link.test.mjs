@@ -5,7 +5,7 @@ import { createLpquad } from '../../dist/node.js';
 import { presets } from '../../web/sketch/presets.js';
 import * as judge from '../../web/state/judge.js';
 import { fromFragment, longestLink, toFragment } from '../../web/state/link.js';
-import { knownOptions } from '../../web/state/options.js';
+import { knownOptions, knownSurfaceOptions } from '../../web/state/options.js';
 import { pack } from '../../web/state/pack.js';
 import { isProjectText, projectText, readProject } from '../../web/state/project_file.js';
 import { emptyProject } from '../../web/state/project.js';
@@ -121,9 +121,10 @@ test('a large drawing is too long for a link, and that is seen', async () => {
   assert.ok((await toFragment(project)).length > longestLink);
 });
 
-test('the page knows the options that the library has', async () => {
-  const { options } = await createLpquad();
-  const told = Object.fromEntries(options.map(({ name, type, min, max, choices }) =>
+test('the pages know the options that the library has', async () => {
+  const { options, surfaceOptions } = await createLpquad();
+  const told = (all) => Object.fromEntries(all.map(({ name, type, min, max, choices }) =>
     [name, { boolean: 'boolean', choice: choices, number: [min, max], integer: ['integer', min, max] }[type]]));
-  assert.deepEqual(knownOptions, told);
+  assert.deepEqual(knownOptions, told(options));
+  assert.deepEqual(knownSurfaceOptions, told(surfaceOptions));
 });

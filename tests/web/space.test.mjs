@@ -80,6 +80,8 @@ test('a link opens to the same work', () => {
   assert.equal(again.preset, 'gear');
   assert.deepEqual(again.surface, work.surface);
   assert.equal(toFragment({ ...work, preset: undefined }), '');
+  const counted = { ...work, options: { quads: 500 } };
+  assert.deepEqual(fromFragment(toFragment(counted)).options, counted.options);
   assert.equal(fromFragment('#preset=nobody').preset, presets[0].id);
   assert.deepEqual(fromFragment('#preset=gear&layers=nothing.quads').layers, ['quads']);
 });
@@ -252,7 +254,9 @@ test('the page for the plane says them the same way', () => {
 test('a link to a surface that there is not says which there are', () => {
   assert.match(problemOf('#preset=nonsense&size=1'), /no surface “nonsense”.*pressed panel, gear/);
   assert.match(problemOf('#preset=gear&layers=quads.nonsense'), /no layer “nonsense”.*surface, sharp edges/);
-  for (const good of ['', '#layers=', '#preset=gear&layers=quads.cells', '#preset=gear', '#size=0.2', ...presets.map(({ id }) => `#preset=${id}`)]) assert.equal(problemOf(good), '');
+  for (const bad of ['size=abc', 'size=', 'size=-1', 'x=1', '__proto__=1', 'quads=1.5', 'keepGroups=7', 'method=fast', 'size=1&quads=100'])
+    assert.match(problemOf(`#preset=saddle&${bad}`), /^This link could not be opened: \w.*\.$/, bad);
+  for (const good of ['', '#layers=', '#preset=gear&quads=500&method=paper&keepGroups=false', '#preset=gear&layers=quads.cells', '#preset=gear', '#size=0.2', ...presets.map(({ id }) => `#preset=${id}`)]) assert.equal(problemOf(good), '');
 });
 
 test('irregular vertices on sharp edges are counted apart, those on borders not at all', () => {

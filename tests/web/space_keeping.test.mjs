@@ -86,6 +86,22 @@ test('a link that names no surface says so and leaves what was there last', asyn
   await page.context().close();
 });
 
+test('a link with options that cannot be says so, and is not kept', async () => {
+  const page = await playground.open({ hash: 'space.html#preset=saddle&size=0.3' });
+  await finished(page);
+  const before = await work(page);
+  for (const [bad, words] of [['size=abc', 'size is a number'], ['x=1', 'there is no option “x”']]) {
+    await page.goto('about:blank');
+    await page.goto(`${playground.address}space.html#preset=torus&${bad}`);
+    await ready(page);
+    await page.locator('.notice', { hasText: `This link could not be opened: ${words}.` }).waitFor();
+    assert.deepEqual(await work(page), before);
+  }
+  await finished(page);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
 test('a file over the page is shown to be welcome; one of no use hears what would be', async () => {
   const page = await playground.open({ hash: 'space.html#preset=saddle&size=0.3' });
   const fire = (kind, types) => page.evaluate(([kind, types]) => {

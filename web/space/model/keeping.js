@@ -5,7 +5,8 @@
 import { answer, openStore } from '../../state/database.js';
 import { whenRested } from '../../state/rest.js';
 import { keep, kept } from '../../state/storage.js';
-import { fromFragment, problemOf, toFragment } from './link.js';
+import { faultOf, fromFragment, problemOf, toFragment } from './link.js';
+import { workOf } from './work.js';
 
 const stored = 'surface';
 
@@ -25,7 +26,8 @@ async function lastWork() {
   try {
     const { id, name, options, layers } = JSON.parse(text);
     const surface = await keptSurface(id);
-    if (surface !== null) return { work: { name, preset: undefined, surface, options, layers }, notice: '' };
+    if (surface !== null)
+      return { work: { name, preset: undefined, surface, options: faultOf(options) ? workOf(name, surface).options : options, layers }, notice: '' };
     return { work: fromFragment(''), notice: `${name} was here last, and this browser did not keep it. Open it again.` };
   } catch {
     return { work: fromFragment(''), notice: '' };  // of an older page, or damaged: as on the first visit

@@ -1,5 +1,7 @@
-// The address of a preset with its options and layers: what can be said in a link. Files cannot.
+// The address of a preset with its options and layers: what can be said in a link. Files cannot. It may be anybody's: it is
+// judged before it is opened.
 /** @import { SpaceLayer, Work } from '../types' */
+import { faultOfOption, knownSurfaceOptions } from '../../state/options.js';
 import { presets, surfaceOf } from '../presets/presets.js';
 import { inOrder, layerNames, workOf } from './work.js';
 
@@ -12,16 +14,13 @@ export function toFragment({ preset, options, layers }) {
   return `#${words}`;
 }
 
-/** What the address says; the first preset without. Options that cannot be are for the mesher to refuse.
- * @param {string} fragment  @returns {Work} */
+/** What an address says that has no problem; the first preset without. @param {string} fragment  @returns {Work} */
 export function fromFragment(fragment) {
   const words = new URLSearchParams(fragment.slice(1));
   const work = presetWork(words.get('preset') ?? '');
   const shown = words.get('layers')?.split('.') ?? null;
-  words.delete('preset');
-  words.delete('layers');
-  const options = Object.fromEntries([...words].map(([name, text]) => [name, valueOf(text)]));
-  return { ...work, options: { ...work.options, ...options },
+  const options = optionsOf(words), { quads } = options;
+  return { ...work, options: { ...(!quads && work.options), ...options },  // a number of quads is in place of a size
     layers: shown === null ? 'auto' : inOrder(/** @type {SpaceLayer[]} */ (shown.filter(isLayer))) };
 }
 
@@ -32,8 +31,19 @@ export function problemOf(fragment) {
   const no = (/** @type {string} */ what) => `This link could not be opened: the page has no ${what.slice(0, 50)}”. `;
   if (id !== null && !presets.some((preset) => preset.id === id)) return no(`surface “${id}`) + has(presets);
   const layer = words.get('layers')?.split('.').find((shown) => shown !== '' && !isLayer(shown));
-  return layer === undefined ? '' : no(`layer “${layer}`) + has(layerNames);
+  if (layer !== undefined) return no(`layer “${layer}`) + has(layerNames);
+  const fault = faultOf(optionsOf(words));
+  return fault && `This link could not be opened: ${fault}.`;
 }
+
+/** What is wrong with the options of a work; '': nothing. @param {Record<string, unknown>} options */
+export function faultOf(options) {
+  const faults = Object.entries(options).map(([name, value]) => faultOfOption(name, value, knownSurfaceOptions));
+  return faults.find(Boolean) ?? (options.size && options.quads ? 'it has a size and a number of quads, of which only one can be' : '');
+}
+
+/** All that is not of the page's own. @param {URLSearchParams} words  @returns {Record<string, unknown>} */
+const optionsOf = (words) => Object.fromEntries([...words].filter(([name]) => name !== 'preset' && name !== 'layers').map(([name, text]) => [name, valueOf(text)]));
 
 const isLayer = (/** @type {string} */ layer) => layerNames.some(({ name }) => name === layer);
 
