@@ -396,6 +396,27 @@ test('the cells of a chart are seen step by step, in both views', async () => {
   await page.context().close();
 });
 
+test('a picture that the browser took away is missed in words, and drawn again when it is given back', async () => {
+  const page = await openSpace();
+  const drawn = () => page.waitForFunction(() => {
+    const { canvas } = globalThis.playground.viewer, { width, height } = canvas;
+    const copy = new OffscreenCanvas(width, height).getContext('2d');
+    copy.drawImage(canvas, 0, 0);
+    return copy.getImageData(0, 0, width, height).data.filter((value, i) => i % 4 === 3 && value > 0).length > width * height / 50;
+  });
+  await drawn();
+  await page.evaluate(() => {
+    globalThis.context = globalThis.playground.viewer.canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
+    globalThis.context.loseContext();
+  });
+  const line = page.getByText('has taken the picture away');
+  await line.waitFor();
+  await page.evaluate(() => globalThis.context.restoreContext());
+  await line.waitFor({ state: 'detached' });
+  await drawn();
+  await page.context().close();
+});
+
 test('without WebGL the page says so, and meshes, shows charts and saves all the same', async () => {
   const page = await playground.open({ hash: 'space.html#preset=saddle&size=0.25' });
   await page.addInitScript(() => {

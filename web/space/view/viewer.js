@@ -45,14 +45,36 @@ export class Viewer {
     this.controls.addEventListener('change', () => this.invalidate());
     this.controls.addEventListener('start', () => { this.#fitted = false; });
     this.#listen();
+    this.#watchContext();
     new ResizeObserver(() => this.#resize()).observe(element);
   }
 
   /** There is nothing to see in space; all else works. */
   #excuse() {
     this.canvas.hidden = true;
-    this.element.append(h('p', { className: 'instead' }, 'This browser has no WebGL, so the surface cannot be shown in space. '
-      + 'It is meshed all the same: charts, figures and files are there.'));
+    this.#instead('This browser has no WebGL, so the surface cannot be shown in space. '
+      + 'It is meshed all the same: charts, figures and files are there.');
+  }
+
+  /** @param {string} words  where the picture would be */
+  #instead(words) {
+    const line = h('p', { className: 'instead', role: 'status' }, words);
+    this.element.append(line);
+    return line;
+  }
+
+  /** The graphics card may drop the picture: after a sleep, or where many pages want it. The browser mostly gives it back. */
+  #watchContext() {
+    let line = /** @type {HTMLElement | null} */ (null);
+    this.canvas.addEventListener('webglcontextlost', () => {
+      line ??= this.#instead('The browser has taken the picture away from this page, and may give it back. '
+        + 'If it does not, load the page again.');
+    });
+    this.canvas.addEventListener('webglcontextrestored', () => {
+      line?.remove();
+      line = null;
+      this.invalidate();
+    });
   }
 
   /** A headlight from the upper left, and enough of everything else. */
