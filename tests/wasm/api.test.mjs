@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
-import { circle, createLpquad, dist, meshHash, path, plate, rectangle, square } from './support.mjs';
+import { circle, createLpquad, createLpquadWorker, dist, errorOf, meshHash, path, plate, rectangle, rejectionOf, square } from './support.mjs';
 
 const lpquad = await createLpquad();
 
@@ -46,6 +46,20 @@ test('bytes, a compiled module and an address give the same meshes', async () =>
     assert.equal(other.build, 'custom');
     assert.equal(meshHash(other.meshDomain(plate, { size: 0.1 })), expected);
   }
+});
+
+test('an instance is that of all its addresses, and an address is a text or a URL', async () => {
+  const wasmModule = await WebAssembly.compile(readFileSync(dist('lpquad-plain.wasm')));
+  const lost = await createLpquad({ wasmModule, readersUrl: '/nowhere.wasm' }), own = await createLpquad({ wasmModule });
+  assert.notEqual(lost, own);
+  assert.equal(await createLpquad({ wasmModule }), own);
+  assert.ok(await own.readDomain(JSON.stringify(square), { format: 'json' }));
+  await rejectionOf('BAD_WASM', lost.readDomain(JSON.stringify(square), { format: 'json' }));
+  for (const name of ['wasmUrl', 'readersUrl', 'surfaceUrl'])
+    for (const address of [null, '', 5]) {
+      assert.match((await rejectionOf('BAD_WASM', createLpquad({ [name]: address }))).message, new RegExp(`^${name} must be an address`));
+      errorOf('BAD_WASM', () => createLpquadWorker({ [name]: address }));
+    }
 });
 
 test('lpquad/inline gives the same meshes', async () => {

@@ -70,11 +70,27 @@ test('tags that a file leaves out are empty once it is read', async () => {
   }
 });
 
-test('an array whose buffer was transferred is told from an empty one', () => {
-  const gone = Float64Array.of(0, 0, 1, 0, 1, 1);
-  structuredClone(gone, { transfer: [gone.buffer] });
+/** A typed array whose buffer is somewhere else by now. */
+function transferred(list) {
+  structuredClone(list, { transfer: [list.buffer] });
+  return list;
+}
+
+test('an array whose buffer was transferred is told from an empty one', async () => {
+  const gone = transferred(Float64Array.of(0, 0, 1, 0, 1, 1));
   assert.match(refuse('PARSE_ERROR', { loops: [gone] }).message, /^domain\.loops\[0\] .*transferred/);
   assert.match(refuse('PARSE_ERROR', { ...square, seedPoints: gone }).message, /^domain\.seedPoints .*transferred/);
+  assert.match(refuse('PARSE_ERROR', { ...square, sizes: gone }).message, /^domain\.sizes .*transferred/);
+  for (const options of [{ sizes: gone }, { seedPoints: gone }, { guides: [gone] }])
+    assert.match(refuse('BAD_OPTION', square, options).message, new RegExp(`^Option ${Object.keys(options)[0]}.*transferred`));
+  const mesh = lpquad.meshDomain(square, { size: 0.5 });
+  for (const name of Object.keys(mesh).filter((key) => ArrayBuffer.isView(mesh[key])))
+    assert.match(errorOf('PARSE_ERROR', () => lpquad.writeMesh({ ...mesh, [name]: transferred(mesh[name].slice()) }, 'obj')).message,
+      new RegExp(`^mesh\\.${name} .*transferred`));
+  const bytes = transferred(Uint8Array.of(1, 2, 3)), read = [lpquad.readDomain, lpquad.readSurface, lpquad.isSurfaceFile];
+  for (const call of read)
+    for (const source of [bytes, bytes.buffer])
+      assert.match((await rejectionOf('PARSE_ERROR', call.call(lpquad, source, { name: 'a.json' }))).message, /^The file .*transferred/);
   refuse('TOO_FEW_POINTS', { loops: [new Float64Array()] });
   assert.ok(lpquad.meshDomain({ ...square, seedPoints: new Float64Array(), source: 'a drawing', licence: 'MIT' }));
 });
@@ -94,7 +110,9 @@ test('options are known by name, type and range', () => {
       assert.match(refuse(option.name === 'size' ? 'BAD_SIZE' : 'BAD_OPTION', square, { [option.name]: value })
         .message, new RegExp(option.name, 'i'));
   }
-  for (const options of [null, 5, 'fine']) refuse('BAD_OPTION', square, options);
+  for (const options of [null, 5, 'fine', [], ['size'], Float64Array.of(1)]) refuse('BAD_OPTION', square, options);
+  refuse('BAD_OPTION', square, Object.create({ siz: 1 }));
+  assert.equal(lpquad.meshDomain(square, Object.create({ size: 0.25 })).report.quads, 16);
   refuse('BAD_OPTION', square, { memory: false });
   refuse('BAD_OPTION', square, { signal: new AbortController().signal });
   for (const name of ['sizeAt', 'angleAt', 'onProgress'])
@@ -174,11 +192,29 @@ test('meshes that no writer could follow are refused', () => {
   write({ tags: [5] });
   write({ points: mesh.points.subarray(1) });
   for (const value of [null, 5, undefined]) errorOf('PARSE_ERROR', () => lpquad.writeMesh(value, 'obj'));
+  for (const value of [null, 5, 'x', []]) errorOf('BAD_OPTION', () => lpquad.writeMesh(mesh, 'msh', value));
   errorOf('BAD_OPTION', () => lpquad.writeMesh(mesh, 'stl'));
   errorOf('BAD_OPTION', () => lpquad.writeMesh(mesh, undefined));
   assert.match(errorOf('BAD_OPTION', () => lpquad.writeMesh(mesh, 'msh', { mshversion: '2.2' })).message,
     /'mshVersion'/);
   errorOf('BAD_OPTION', () => lpquad.writeMesh(mesh, 'msh', { mshVersion: 2.2 }));
+});
+
+test('numbers of a mesh that a file would not hold are named', () => {
+  const mesh = lpquad.meshDomain({ ...square, points: [{ position: [0.5, 0.5], tag: 'mid' }] }, { size: 0.25 });
+  const write = (code, name, value) => {
+    const changed = { ...mesh, [name]: Array.from(mesh[name]) };
+    changed[name][1 % mesh[name].length] = value;
+    assert.match(errorOf(code, () => lpquad.writeMesh(changed, 'obj')).message, new RegExp(`^mesh\\.${name}\\[\\d\\] `));
+  };
+  for (const value of [NaN, Infinity]) write('NON_FINITE', 'points', value);
+  for (const value of ['0.5', null, undefined, 1n]) write('PARSE_ERROR', 'points', value);
+  for (const name of ['quads', 'quadRegions', 'edges', 'edgeTags', 'edgeRegions', 'edgeOrigins', 'taggedPoints', 'pointTags'])
+    for (const value of [NaN, 1.5, '1', null, 2 ** 32, 1n]) write('PARSE_ERROR', name, value);
+  for (const boundaryNodes of [NaN, 1.5, -1, 2 ** 32, '4'])
+    assert.match(errorOf('PARSE_ERROR', () => lpquad.writeMesh({ ...mesh, boundaryNodes }, 'obj')).message, /^mesh\.boundaryNodes /);
+  const plain = Object.fromEntries(Object.entries(mesh).map(([name, value]) => [name, ArrayBuffer.isView(value) ? Array.from(value) : value]));
+  assert.equal(lpquad.writeMesh(plain, 'msh'), lpquad.writeMesh(mesh, 'msh'));
 });
 
 test('arrays of a mesh whose lengths do not fit are named with both', () => {

@@ -51,7 +51,7 @@ test('no code is made from text, so that strict content security policies hold',
 test('the web entries need nothing of Node', () => {
   for (const file of ['index.js', 'inline.js', 'inline-surface.js', 'worker.js', 'worker-entry.js', 'glue.js', 'readers-glue.js',
     'surface-glue.js', 'load.js', 'api.js', 'cad.js', 'cad-repeats.js', 'session.js', 'handle.js', 'client.js', 'domain.js', 'surface.js', 'fields.js',
-    'base64.js', 'checks.js', 'errors.js', 'worker-thread.js'])
+    'base64.js', 'checks.js', 'errors.js', 'lists.js', 'worker-thread.js'])
     assert.doesNotMatch(text(file), /node:|require\(|__dirname|from 'fs'/, file);
 });
 

@@ -81,9 +81,29 @@ test('what onProgress throws comes out of the call, and the run ends', async () 
   assert.equal(calls, 3);
 });
 
+test('onProgress ends a run with false, as that of the direct call does, and its session goes on', async () => {
+  await rejectionOf('CANCELLED', remote.meshDomain(plate, long, { onProgress: () => false }));
+  const session = await remote.start(plate, { ...options, memory: false });
+  await rejectionOf('CANCELLED', session.finish({ onProgress: () => false }));
+  assert.equal(meshHash(await session.finish()), meshHash(lpquad.meshDomain(plate, options)));
+  await session.dispose();
+});
+
 test('a control that is none is refused', async () => {
+  for (const control of [{ singal: new AbortController().signal }, 'x', [], { onprogress() {} }])
+    await rejectionOf('BAD_OPTION', remote.meshDomain(square, {}, control));
+  const session = await remote.start(square);
+  for (const wrong of [null, 'x', { evry: 2 }]) await rejectionOf('BAD_OPTION', session.run(wrong).next());
+  await rejectionOf('BAD_OPTION', session.step(1, { singal: 1 }));
+  await session.dispose();
   await rejectionOf('BAD_OPTION', remote.meshDomain(square, {}, { onProgress: 5 }));
   await rejectionOf('BAD_OPTION', remote.meshDomain(square, {}, { signal: {} }));
+});
+
+test('options that an object has from another reach the worker', async () => {
+  const mesh = await remote.meshDomain(square, Object.create({ size: 0.25 }));
+  assert.equal(mesh.report.quads, 16);
+  await rejectionOf('BAD_OPTION', remote.meshDomain(square, []));
 });
 
 test('options are judged as by the direct call, and a run that would never end is refused', async () => {
@@ -98,6 +118,15 @@ test('options are judged as by the direct call, and a run that would never end i
   const session = await remote.start(square);
   for (const every of [0, -1, 1.5]) await rejectionOf('BAD_OPTION', session.run({ every }).next());
   await session.dispose();
+});
+
+test('a buffer that was transferred is named, also where it does not cross', async () => {
+  const gone = Float64Array.of(0, 0, 1, 0, 1, 1);
+  structuredClone(gone, { transfer: [gone.buffer] });
+  const named = async (words, call) => assert.match((await rejectionOf('PARSE_ERROR', call)).message, new RegExp(`^${words} .*transferred`));
+  await named('The file', remote.readDomain(gone.buffer, { name: 'a.json' }));
+  await named('domain\\.loops\\[0\\]', remote.meshDomain({ loops: [gone] }));
+  await named('options\\.sizes', remote.meshDomain(square, { sizes: gone }));
 });
 
 test('after an abort there is no progress', async () => {
@@ -296,6 +325,8 @@ test('a worker that cannot be made, or that cannot be read, is told of', async (
   const isMine = (error) => error === mine;
   await assert.rejects(none.ready(), isMine);
   await assert.rejects(none.meshDomain(square), isMine);
+  await rejectionOf('BAD_OPTION', createLpquadWorker({ worker: () => null }).ready());
+  for (const wrong of [null, 5, [], { wasmurl: 'x' }, { worker: 5 }]) errorOf('BAD_OPTION', () => createLpquadWorker(wrong));
   const thread = Object.assign(new EventEmitter(), { postMessage() {}, terminate() {}, ref() {}, unref() {} });
   const client = createLpquadWorker({ worker: () => thread });
   const lost = rejectionOf('WORKER_LOST', client.meshDomain(square));

@@ -318,6 +318,16 @@ test('a session shows what every stage has made, and ends where the direct call 
   await rejectionOf('BAD_OPTION', lpquad.startSurface(box, { onProgress() {} }));
 });
 
+test('options are as they were at the call, and a session is told what is no function', async () => {
+  const options = { size: 0.5 }, starting = lpquad.startSurface(box, options);
+  options.size = 'large';
+  const session = await starting;
+  for (const wrong of ['x', null, 5]) errorOf('BAD_OPTION', () => session.finish(wrong));
+  assert.ok(session.finish().quads.length > 0);
+  session.dispose();
+  await rejectionOf('BAD_OPTION', lpquad.startSurface(box, []));
+});
+
 test('a run that fails goes on failing', async () => {
   const session = await lpquad.startSurface(box, { size: 1e-6 });
   for (let i = 0; i < 2; ++i) errorOf('TOO_MANY_ELEMENTS', () => session.step());

@@ -2,7 +2,7 @@
 import { packDomain } from './domain.js';
 import { LpquadError, unwrap } from './errors.js';
 import { splitOptions } from './fields.js';
-import { checkMesh, checkNames, checkSource } from './checks.js';
+import { checkFunction, checkMesh, checkNames, checkOptions, checkSource } from './checks.js';
 import { call, meshResult, Session, SurfaceSession } from './session.js';
 import { packSurface } from './surface.js';
 
@@ -64,8 +64,7 @@ export class Lpquad {
 
   async meshSurface(surface, options) {
     const { onProgress, ...table } = checkOptions(options);
-    if (onProgress !== undefined && typeof onProgress !== 'function')
-      throw new LpquadError('BAD_OPTION', 'Option onProgress must be a function.');
+    if (onProgress !== undefined) checkFunction(onProgress, 'onProgress');
     const session = await this.startSurface(surface, table);
     try {
       return session.finish(onProgress);
@@ -81,20 +80,14 @@ export class Lpquad {
     return new SurfaceSession(unwrap((await this.#surfaces()).start(packed, table)).session);
   }
 
-  writeMesh(mesh, format, options = {}) {
+  writeMesh(mesh, format, options) {
     checkMesh(mesh);
-    return unwrap(this.#module.writeMesh(mesh, String(format), options)).text;
+    return unwrap(this.#module.writeMesh(mesh, String(format), checkOptions(options))).text;
   }
 }
 
 const noProgress = () =>
   new LpquadError('BAD_OPTION', 'A session has no onProgress: step() returns its state.');
-
-function checkOptions(options = {}) {
-  if (options === null || typeof options !== 'object')
-    throw new LpquadError('BAD_OPTION', 'The options must be an object.');
-  return options;
-}
 
 function fileOf(source, options, of, known = ['name', 'format']) {
   const bytes = checkSource(source);

@@ -1,6 +1,8 @@
 // The other side of worker-thread.js: the same API as promises. A worker that does not answer a
 // cancel in time is replaced, if nobody else needs it; of one that died the callers are told.
+import { checkFunction, checkNames, checkOptions } from './checks.js';
 import { disposed, LpquadError } from './errors.js';
+import { checkAllLive } from './lists.js';
 
 const patience = 80;  // milliseconds a cancelled run may take to notice, before its worker goes
 
@@ -83,7 +85,7 @@ export class LpquadWorker {
   #tell(call, progress) {
     if (call.dropped) return;
     try {
-      call.onProgress(progress);
+      if (call.onProgress(progress) === false) this.#drop(call, cancelled());
     } catch (error) {
       this.#drop(call, error);
     }
@@ -117,9 +119,7 @@ export class LpquadWorker {
       else this.#worker.post(whole);
     } catch (cause) {
       this.#calls.delete(id);
-      call.reject(new LpquadError('BAD_OPTION',
-        `This does not cross into a worker (${cause.message}). Functions never do: give sizes as ` +
-        'samples, and onProgress and signal as the last argument.', {}, { cause }));
+      call.reject(unsendable(message, cause));
     }
     this.#worker.busy?.(this.#calls.size > 0);
     return call;
@@ -135,6 +135,7 @@ export class LpquadWorker {
   /** One call, with an abort answered at once, whatever the worker does. */
   async #run(op, args, control) {
     const { signal, onProgress } = checkControl(control ?? {});
+    if ('options' in args) args = { ...args, options: checkOptions(args.options) };
     if (signal?.aborted) throw cancelled(signal);
     this.#begin();
     const call = this.#send({ op, ...args }, onProgress);
@@ -255,7 +256,9 @@ class RemoteRun {
   }
 
   /** Snapshots after every `every` ticks until the end: `for await (const s of session.run())`. */
-  async *run({ layers = this.defaultLayers, every = 1, signal } = {}) {
+  async *run(options = {}) {
+    checkNames(options, ['layers', 'every', 'signal'], 'option of run');
+    const { layers = this.defaultLayers, every = 1, signal } = options;
     if (every === 0) throw new LpquadError('BAD_OPTION', 'Snapshots come every tick or more, not every 0.');
     while (this.state.stage !== 'done') {
       await this.step(every, { signal });
@@ -285,9 +288,9 @@ class RemoteSession extends RemoteRun {
 if (Symbol.asyncDispose) RemoteRun.prototype[Symbol.asyncDispose] = RemoteRun.prototype.dispose;
 
 function checkControl(control) {
+  checkNames(control, ['signal', 'onProgress'], 'control of a call');
   const { signal, onProgress } = control;
-  if (onProgress !== undefined && typeof onProgress !== 'function')
-    throw new LpquadError('BAD_OPTION', 'Option onProgress must be a function.');
+  if (onProgress !== undefined) checkFunction(onProgress, 'onProgress');
   if (signal && typeof signal.addEventListener !== 'function')
     throw new LpquadError('BAD_OPTION', 'Option signal must be an AbortSignal.');
   return control;
@@ -298,6 +301,18 @@ function revived({ name, code, message, where }) {
   return code === undefined ? Object.assign(new Error(message), { name }) : new LpquadError(code, message, where);
 }
 
-function cancelled(signal) {
-  return new LpquadError('CANCELLED', 'The run was cancelled.', {}, { cause: signal.reason });
+function cancelled(signal = undefined) {
+  return new LpquadError('CANCELLED', 'The run was cancelled.', {}, signal && { cause: signal.reason });
+}
+
+/** Why a message cannot be sent, as the direct call says it where it can. */
+function unsendable({ op, bytes, ...args }, cause) {
+  try {
+    checkAllLive(bytes, 'The file');
+    for (const [name, value] of Object.entries(args)) checkAllLive(value, name);
+  } catch (error) {
+    return error;
+  }
+  return new LpquadError('BAD_OPTION', `This does not cross into a worker (${cause.message}). Functions never do: give ` +
+    'sizes as samples, and onProgress and signal as the last argument.', {}, { cause });
 }

@@ -1,40 +1,7 @@
 // A domain as the caller writes it to the packed arrays that cross into the core (wasm/marshal.h).
 // Judges the form only, and names the path of what does not fit; the core judges the geometry.
 import { LpquadError } from './errors.js';
-
-export const fail = (path, expected, value) => {
-  throw new LpquadError('PARSE_ERROR', `${path} must be ${expected}, not ${describe(value)}.`);
-};
-
-function describe(value) {
-  if (value === null) return 'null';
-  if (Array.isArray(value)) return `an array of ${value.length}`;
-  if (typeof value === 'string') return `the text ${JSON.stringify(value.slice(0, 40))}`;
-  if (typeof value === 'object') return 'an object';
-  if (typeof value === 'function') return 'a function';
-  return String(value);
-}
-
-export const isList = (value) =>
-  Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
-
-/** Of no view of a transferred buffer can another be made; as a list it looks empty. */
-function isDetached({ buffer, byteLength }) {
-  if (byteLength !== 0) return false;
-  try {
-    return new Uint8Array(buffer).length < 0;
-  } catch {
-    return true;
-  }
-}
-
-export function checkList(value, path, expected) {
-  if (!isList(value)) fail(path, expected, value);
-  if (ArrayBuffer.isView(value) && isDetached(value))
-    throw new LpquadError('PARSE_ERROR',
-      `${path} holds nothing any more: its buffer was transferred, to a worker for example. Pass a copy.`);
-  return value;
-}
+import { checkList, checkNumber, fail, isList } from './lists.js';
 
 const listed = (names) => `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`;
 
@@ -49,13 +16,6 @@ export function checkObject(value, path, known) {
     if (!known.includes(key))
       throw new LpquadError('PARSE_ERROR',
         `${path}.${key} is not known; ${path} has ${listed(known)}.`);
-}
-
-function checkNumber(value, path, where) {
-  if (typeof value !== 'number') fail(path, 'a number', value);
-  if (!Number.isFinite(value))
-    throw new LpquadError('NON_FINITE', `${path} is ${value}; it must be finite.`, where);
-  return value;
 }
 
 function appendPoint(out, value, path, where) {
@@ -166,13 +126,13 @@ export function packGuides(guides, path) {
   return { points: Float64Array.from(points), sizes: Int32Array.from(sizes) };
 }
 
-/** [[x, y, h], ..] or [x0, y0, h0, ..] as a flat array, likewise for other widths; else null. */
-export function flatTuples(list, width) {
-  if (!isList(list)) return null;
+/** [[x, y, h], ..] or [x0, y0, h0, ..] as a flat array, likewise for other widths. */
+export function packTuples(list, width, path, form) {
+  checkList(list, path, form);
   const nested = isList(list[0]);
-  if (nested ? !list.every((one) => isList(one) && one.length === width) : list.length % width !== 0) return null;
+  if (nested ? !list.every((one) => isList(one) && one.length === width) : list.length % width !== 0) fail(path, form, list);
   const flat = nested ? list.flatMap((one) => [...one]) : [...list];
-  return flat.every(Number.isFinite) ? Float64Array.from(flat) : null;
+  return flat.every(Number.isFinite) ? Float64Array.from(flat) : fail(path, form, list);
 }
 export const sizesForm = 'points with a target size each: [[x, y, h], …], all finite numbers';
 
@@ -186,8 +146,7 @@ export function packDomain(domain) {
   packPoints(packed, domain.points ?? [], names);
   appendPoints(packed.seeds, domain.seedPoints ?? [], 'domain.seedPoints');
   const h = domain.h === undefined ? 0 : checkNumber(domain.h, 'domain.h');
-  const sizesAt = flatTuples(domain.sizes ?? [], 3);
-  if (sizesAt === null) fail('domain.sizes', sizesForm, domain.sizes);
+  const sizesAt = packTuples(domain.sizes ?? [], 3, 'domain.sizes', sizesForm);
   return { regions: packed.regions, tags: names.list, h, sizesAt,
     guides: packGuides(domain.guides ?? [], 'domain.guides'), seeds: Float64Array.from(packed.seeds),
     points: Float64Array.from(packed.points),

@@ -1,20 +1,12 @@
 // Sizes and directions of the caller: samples and strokes cross as arrays, functions as functions.
-import { flatTuples, packGuides, sizesForm } from './domain.js';
+import { packGuides, packTuples, sizesForm } from './domain.js';
+import { checkFunction, checkOptions } from './checks.js';
 import { LpquadError } from './errors.js';
 
-const wrong = (name, expected) =>
-  new LpquadError('BAD_OPTION', `Option ${name} must be ${expected}.`);
-
-function packTuples(name, list, width, form) {
-  const flat = flatTuples(list, width);
-  if (flat === null) throw wrong(name, form);
-  return flat;
-}
-
 /** As of a domain; only that an option is wrong then, not a text. */
-function packGuideOption(guides = []) {
+function asOption(pack) {
   try {
-    return packGuides(guides, 'guides');
+    return pack();
   } catch (error) {
     if (!(error instanceof LpquadError) || error.code !== 'PARSE_ERROR') throw error;
     throw new LpquadError('BAD_OPTION', `Option ${error.message}`, error.where);
@@ -24,7 +16,7 @@ function packGuideOption(guides = []) {
 /** A caller's function that throws must not unwind the core: the error is kept until it is back. */
 function guarded(name, f, kept) {
   if (f === undefined) return undefined;
-  if (typeof f !== 'function') throw wrong(name, 'a function of x and y');
+  checkFunction(f, name, ' of x and y');
   return (x, y) => {
     try {
       return Number(f(x, y));
@@ -39,19 +31,16 @@ function guarded(name, f, kept) {
  * Splits what the caller wrote into the options of the option table, the fields and the rest.
  * `thrown` collects what the caller's functions threw.
  */
-export function splitOptions(options = {}) {
-  if (options === null || typeof options !== 'object')
-    throw new LpquadError('BAD_OPTION', 'The options must be an object.');
-  const { sizes = [], guides, seedPoints = [], sizeAt, angleAt, onProgress, ...table } = options;
+export function splitOptions(options) {
+  const { sizes = [], guides = [], seedPoints = [], sizeAt, angleAt, onProgress, ...table } = checkOptions(options);
   const thrown = [];
   const fields = {
-    sizes: packTuples('sizes', sizes, 3, sizesForm),
-    guides: packGuideOption(guides),
-    seeds: packTuples('seedPoints', seedPoints, 2, 'points: [[x, y], …], all finite numbers'),
+    sizes: asOption(() => packTuples(sizes, 3, 'sizes', sizesForm)),
+    guides: asOption(() => packGuides(guides, 'guides')),
+    seeds: asOption(() => packTuples(seedPoints, 2, 'seedPoints', 'points: [[x, y], …], all finite numbers')),
     size: guarded('sizeAt', sizeAt, thrown),
     angle: guarded('angleAt', angleAt, thrown),
   };
-  if (onProgress !== undefined && typeof onProgress !== 'function')
-    throw wrong('onProgress', 'a function');
+  if (onProgress !== undefined) checkFunction(onProgress, 'onProgress');
   return { table, fields, onProgress, thrown };
 }

@@ -1,6 +1,6 @@
 // From bytes, an address or a compiled module to a running instance.
 import { Lpquad } from './api.js';
-import { checkNames } from './checks.js';
+import { checkWasmSource } from './checks.js';
 import { LpquadError } from './errors.js';
 import createModule from './glue.js';
 
@@ -71,23 +71,19 @@ function once(make) {
   };
 }
 
-const kept = new WeakMap();  // per entry: the inline ones have other files
+/** Per entry (the inline ones have other files), then per module that was given, if one was. */
+const kept = new WeakMap();
 
-/** Where the instance of this source is kept, and under which key. */
-function place(files, { wasmModule, wasmBinary, wasmUrl = '', readersUrl = '', surfaceUrl = '' }) {
-  if (!kept.has(files)) kept.set(files, { byAddress: new Map(), byObject: new WeakMap() });
-  const { byAddress, byObject } = kept.get(files);
-  const object = wasmModule ?? wasmBinary;
-  return object ? [byObject, object] : [byAddress, [wasmUrl, readersUrl, surfaceUrl].join(' ')];
+function within(map, key, make) {
+  if (!map.has(key)) map.set(key, make());
+  return map.get(key);
 }
 
-function checkSource(source) {
-  checkNames(source, ['wasmUrl', 'wasmBinary', 'wasmModule', 'readersUrl', 'surfaceUrl'], 'source of createLpquad');
-  const { wasmModule, wasmBinary } = source;
-  if (wasmModule !== undefined && !(wasmModule instanceof WebAssembly.Module))
-    throw new LpquadError('BAD_WASM', 'wasmModule must be a WebAssembly.Module.');
-  if (wasmBinary !== undefined && !(wasmBinary instanceof ArrayBuffer) && !ArrayBuffer.isView(wasmBinary))
-    throw new LpquadError('BAD_WASM', 'wasmBinary must be an ArrayBuffer or a Uint8Array.');
+/** The instance of this source, made once. */
+function instanceOf(files, { wasmModule, wasmBinary, ...addresses }, make) {
+  const instances = within(within(kept, files, () => new WeakMap()), wasmModule ?? wasmBinary ?? files, () => new Map());
+  const { wasmUrl = '', readersUrl = '', surfaceUrl = '' } = addresses;
+  return within(instances, [wasmUrl, readersUrl, surfaceUrl].join('\n'), () => once(make));
 }
 
 /**
@@ -101,10 +97,9 @@ function checkSource(source) {
  * @param {boolean} [files.plain]  there is no build with SIMD
  */
 export async function createOnce(source, files) {
-  checkSource(source);
-  const [instances, key] = place(files, source);
-  if (!instances.has(key)) instances.set(key, once(() => create(source, files)));
-  return instances.get(key)();
+  checkWasmSource(source, 'createLpquad');
+  const own = { ...source };
+  return instanceOf(files, own, () => create(own, files))();
 }
 
 async function create({ wasmModule, wasmBinary, wasmUrl, readersUrl, surfaceUrl }, files) {

@@ -1,5 +1,5 @@
 // Runs that somebody looks at: on domains and on surfaces.
-import { checkWhole } from './checks.js';
+import { checkFunction, checkWhole } from './checks.js';
 import { LpquadError, unwrap } from './errors.js';
 import { Handle } from './handle.js';
 
@@ -67,6 +67,7 @@ export class SurfaceSession {
 
   /** `onProgress` is asked before every tick. */
   finish(onProgress = undefined) {
+    if (onProgress !== undefined) checkFunction(onProgress, 'onProgress');
     for (let state = this.state; state.stage !== 'done'; state = this.step(onProgress ? 1 : 1000))
       if (onProgress && onProgress(state) === false)
         throw new LpquadError('CANCELLED', 'The run was cancelled.');

@@ -1,7 +1,8 @@
 // A surface as the caller writes it to the packed arrays that cross into the core
 // (wasm/marshal.h). Judges the form only; the core repairs the geometry.
-import { checkList, checkObject, fail, isList } from './domain.js';
+import { checkObject } from './domain.js';
 import { LpquadError } from './errors.js';
+import { checkList, fail, isList } from './lists.js';
 
 // What readSurface says beside; accepted and not read.
 const comments = ['warnings', 'name', 'description'];

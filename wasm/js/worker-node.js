@@ -1,6 +1,7 @@
 // `lpquad/worker` for Node.
 import { Worker } from 'node:worker_threads';
 
+import { checkFunction, checkWasmSource, checkWorker } from './checks.js';
 import { LpquadWorker } from './client.js';
 
 export { LpquadError } from './errors.js';
@@ -11,9 +12,12 @@ const ownWorker = () => new Worker(new URL('./worker-entry-node.js', import.meta
 const asText = (source) => Object.fromEntries(Object.entries(source)
   .map(([name, value]) => [name, value instanceof URL ? value.href : value]));
 
-export function createLpquadWorker({ worker = ownWorker, ...source } = {}) {
+export function createLpquadWorker(options = {}) {
+  checkWasmSource(options, 'createLpquadWorker', ['worker']);
+  const { worker = ownWorker, ...source } = options;
+  checkFunction(worker, 'worker');
   return new LpquadWorker(({ message, lost }) => {
-    const thread = worker();
+    const thread = checkWorker(worker());
     thread.on('message', message);
     thread.on('error', (error) => lost(`The worker failed: ${error.message}.`));
     thread.on('messageerror', () => lost('The worker sent something unreadable.'));

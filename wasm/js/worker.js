@@ -1,4 +1,5 @@
 // `lpquad/worker` for browsers and bundlers.
+import { checkFunction, checkWasmSource, checkWorker } from './checks.js';
 import { LpquadWorker } from './client.js';
 
 export { LpquadError } from './errors.js';
@@ -15,9 +16,12 @@ function absolute(source) {
     ...Object.fromEntries(urls.map((name) => [name, new URL(source[name], base).href])) };
 }
 
-export function createLpquadWorker({ worker = ownWorker, ...source } = {}) {
+export function createLpquadWorker(options = {}) {
+  checkWasmSource(options, 'createLpquadWorker', ['worker']);
+  const { worker = ownWorker, ...source } = options;
+  checkFunction(worker, 'worker');
   return new LpquadWorker(({ message, lost }) => {
-    const thread = worker();
+    const thread = checkWorker(worker());
     thread.onmessage = (event) => message(event.data);
     thread.onerror = (event) => lost(`The worker failed: ${event.message ?? 'it did not load'}.`);
     thread.onmessageerror = () => lost('The worker sent something unreadable.');
