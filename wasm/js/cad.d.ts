@@ -1,3 +1,4 @@
+import type { Float64s, Given, Int32s, Uint32s } from './index.js';
 import type { Surface } from './surface.js';
 
 /** An instance of occt-import-js, as far as it is used here. */
@@ -33,18 +34,18 @@ export interface CadOptions {
 /** Triangles of all bodies, face by face; a Surface for meshSurface. */
 export interface CadSurface {
   /** x, y, z per point. Points on edges are there once per face; meshing welds them within each body. */
-  points: Float64Array;
+  points: Float64s;
   /** Three points per triangle. */
-  triangles: Uint32Array;
+  triangles: Uint32s;
   /** Face of the B-rep per triangle, an index into groupNames. */
-  groups: Int32Array;
+  groups: Int32s;
   /** "face 3", after the name of the body where it has one: "bolt 2 face 3". */
   groupNames: string[];
   /**
    * Body per triangle, an index into bodyNames: each is meshed by itself, where it touches others too. What is not closed
    * is one body together, as sheets that may want to be joined.
    */
-  bodies: Int32Array;
+  bodies: Int32s;
   /** "bolt", "bolt 2", … */
   bodyNames: string[];
   warnings: never[];
@@ -67,4 +68,4 @@ export function readCad(source: Uint8Array | ArrayBuffer | string, options?: Cad
  * Triangles as an OBJ file that readSurface reads back, every digit kept: lines `o` for bodies where there are several, `g` for
  * groups. Names lose what such a line cannot hold (#, \, line breaks); those that then are equal get numbers.
  */
-export function surfaceAsObj(surface: Surface): string;
+export function surfaceAsObj(surface: Given<Surface>): string;

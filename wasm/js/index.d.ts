@@ -20,14 +20,31 @@ export type {
   SurfaceProgress, SurfaceReport, SurfaceSession, SurfaceSnapshot, SurfaceStage,
 } from './surface.js';
 
+/**
+ * Arrays that the library made: over a buffer of their own, which can be transferred. (So written that TypeScript before
+ * and since 5.7, which tells buffers apart, takes it.)
+ */
+export type Float64s = ReturnType<Float64ArrayConstructor['of']>;
+export type Uint32s = ReturnType<Uint32ArrayConstructor['of']>;
+export type Int32s = ReturnType<Int32ArrayConstructor['of']>;
+
+type GivenList<A> = A extends Float64Array ? Float64Array : A extends Uint32Array ? Uint32Array : A extends Int32Array ? Int32Array : A;
+/** What the library made, as you may give it back: over any buffers. */
+export type Given<T> = { [K in keyof T]: GivenList<T[K]> };
+
+/** An array or a typed array. */
+export type Numbers =
+  | readonly number[] | Float64Array | Float32Array | Int32Array | Uint32Array | Int16Array | Uint16Array | Int8Array | Uint8Array
+  | Uint8ClampedArray;
+
 /** `[x, y]`, or an array of two numbers whose length TypeScript does not know; any other count is an error of the call. */
 export type Point = readonly [number, number] | readonly number[];
 
 /** A closed loop: `[[x, y], …]` or flat `[x0, y0, x1, y1, …]`. The first point may be repeated at the end, and need not. */
-export type Loop = ReadonlyArray<Point> | ArrayLike<number>;
+export type Loop = ReadonlyArray<Point> | Numbers;
 
 /** Target sizes at points: `[[x, y, h], …]` or flat `[x0, y0, h0, …]`. */
-export type Sizes = ReadonlyArray<readonly [number, number, number] | readonly number[]> | ArrayLike<number>;
+export type Sizes = ReadonlyArray<readonly [number, number, number] | readonly number[]> | Numbers;
 
 /** Strokes of two points or more each, `[[x, y], …]` or flat `[x0, y0, x1, y1, …]`. */
 export type Guides = ReadonlyArray<Loop>;
@@ -106,27 +123,27 @@ export type Stage = 'seeds' | 'optimise' | 'match' | 'clean' | 'patch' | 'smooth
 
 export interface Mesh {
   /** x0, y0, x1, y1, …  2 #V. With `keepBoundary` the given points come first, bit for bit. */
-  points: Float64Array;
+  points: Float64s;
   /** Corners, counter-clockwise, 4 #Q. */
-  quads: Uint32Array;
+  quads: Uint32s;
   /** Region of each quad, index into `regions`, #Q. */
-  quadRegions: Int32Array;
+  quadRegions: Int32s;
   /** Left-over triangles (only where they were allowed), 3 #T. */
-  triangles: Uint32Array;
+  triangles: Uint32s;
   /** Region of each triangle, #T. */
-  triangleRegions: Int32Array;
+  triangleRegions: Int32s;
   /** The 1D mesh: edges a, b of the outline, holes, region borders and polylines, 2 #E. */
-  edges: Uint32Array;
+  edges: Uint32s;
   /** Tag of each edge, index into `tags`, -1 = untagged, #E. */
-  edgeTags: Int32Array;
+  edgeTags: Int32s;
   /** Regions on the left and right of each edge, -1 = outside, 2 #E. */
-  edgeRegions: Int32Array;
+  edgeRegions: Int32s;
   /** Region, loop and edge of the domain each edge comes from, 3 #E; a polyline has region -1. */
-  edgeOrigins: Int32Array;
+  edgeOrigins: Int32s;
   /** Vertices the caller tagged. */
-  taggedPoints: Uint32Array;
+  taggedPoints: Uint32s;
   /** Tag of each of them, index into `tags`. */
-  pointTags: Int32Array;
+  pointTags: Int32s;
   /** Names as given; `''` = unnamed. */
   regions: string[];
   tags: string[];
@@ -241,26 +258,26 @@ export interface Layers {
 
 export interface Snapshot extends State {
   /** The current triangulation: before the matching, what L_p moves. */
-  triangles?: { points: Float64Array; triangles: Uint32Array; boundaryNodes: number };
+  triangles?: { points: Float64s; triangles: Uint32s; boundaryNodes: number };
   /**
    * Clipped Voronoi cells: polygon i has the points offsets[i] … offsets[i + 1] - 1 and belongs to
    * vertex sites[i] of the triangulation; `density` is energy per area of each vertex's cell.
    */
-  cells?: { points: Float64Array; offsets: Int32Array; sites: Int32Array; density: Float64Array; energy: number };
+  cells?: { points: Float64s; offsets: Int32s; sites: Int32s; density: Float64s; energy: number };
   /** One arm (cos θ, sin θ) of the cross at each point; singularities by quarters of a turn. */
-  crosses?: { points: Float64Array; axes: Float64Array; singularities: Float64Array; indices: Int32Array };
+  crosses?: { points: Float64s; axes: Float64s; singularities: Float64s; indices: Int32s };
   /** Target size at the points of a background triangulation. */
-  sizes?: { points: Float64Array; triangles: Uint32Array; sizes: Float64Array };
+  sizes?: { points: Float64s; triangles: Uint32s; sizes: Float64s };
   /**
    * The triangles that were matched, the partner of each (-1: none), whether an extra edge joins
    * the two, and the price of the choice: 10⁴ (1 - η), and more for sides off the crosses, flat quads, valences and
    * extra edges.
    */
-  matching?: { points: Float64Array; triangles: Uint32Array; mates: Int32Array; extra: Int32Array; costs: Float64Array };
+  matching?: { points: Float64s; triangles: Uint32s; mates: Int32s; extra: Int32s; costs: Float64s };
   /** η per face (quads first as listed, then triangles), valence per vertex and its excess. */
   quads?: {
-    points: Float64Array; quads: Uint32Array; triangles: Uint32Array; eta: Float64Array;
-    valence: Int32Array; excess: Int32Array; boundaryNodes: number;
+    points: Float64s; quads: Uint32s; triangles: Uint32s; eta: Float64s;
+    valence: Int32s; excess: Int32s; boundaryNodes: number;
   };
 }
 
@@ -357,10 +374,10 @@ export interface Lpquad extends Description {
   /**
    * A mesh as the text of a file; a mesh on a surface in one of `surfaceMeshFormats`.
    * @throws {LpquadError} PARSE_ERROR for arrays whose lengths do not fit together, named with both lengths, and for
-   * indices that lead nowhere.
+   * indices that are no whole numbers or lead nowhere; NON_FINITE for points that are not finite.
    */
-  writeMesh(mesh: SurfaceMesh, format: SurfaceMeshFormat, options?: WriteOptions): string;
-  writeMesh(mesh: Mesh & { dimension?: 2 }, format: MeshFormat, options?: WriteOptions): string;
+  writeMesh(mesh: Given<SurfaceMesh>, format: SurfaceMeshFormat, options?: WriteOptions): string;
+  writeMesh(mesh: Given<Mesh> & { dimension?: 2 }, format: MeshFormat, options?: WriteOptions): string;
 }
 
 /** Where the WebAssembly comes from, if not from the file beside the module. */

@@ -1,22 +1,22 @@
 /// <reference lib="esnext.disposable" />
 /** Surfaces: what the calls readSurface, meshSurface and startSurface take and give. */
-import type { Mesh, Report, ReportedError } from './index.js';
+import type { Float64s, Int32s, Mesh, Numbers, Report, ReportedError, Uint32s } from './index.js';
 import type { SurfaceFormat, SurfaceOptions } from './generated.js';
 
 /** Triangles in space. */
 export interface Surface {
   /** x0, y0, z0, x1, …  3 #V. */
-  points: Float64Array;
+  points: Float64s;
   /** Corners, 3 #T. */
-  triangles: Uint32Array;
+  triangles: Uint32s;
   /** Part of the file (a face of a CAD model, a material) of each triangle, index into `groupNames`, #T. */
-  groups?: Int32Array;
+  groups?: Int32s;
   /** Names as given; `''` = unnamed. */
   groupNames?: string[];
   /** Target edge length at each point, 0 for none, #V: a vertex property `size` of a PLY file. */
-  sizes?: Float64Array;
+  sizes?: Float64s;
   /** Body of each triangle, index into `bodyNames`, #T; empty = all one. */
-  bodies?: Int32Array;
+  bodies?: Int32s;
   bodyNames?: string[];
   /** Of readSurface: what the file holds beside and was left out. */
   warnings?: ReportedError[];
@@ -25,20 +25,20 @@ export interface Surface {
 /** What can be meshed: what readSurface gave, or triangles of your own. */
 export interface SurfaceInput {
   /** `[[x, y, z], …]` or flat `[x0, y0, z0, x1, …]`. */
-  points: ReadonlyArray<readonly [number, number, number] | readonly number[]> | ArrayLike<number>;
+  points: ReadonlyArray<readonly [number, number, number] | readonly number[]> | Numbers;
   /** `[[a, b, c], …]` or flat. In any order and orientation; borders and several parts are fine. */
-  triangles: ReadonlyArray<readonly [number, number, number] | readonly number[]> | ArrayLike<number>;
+  triangles: ReadonlyArray<readonly [number, number, number] | readonly number[]> | Numbers;
   /** Borders between groups become edges of the mesh (`keepGroups`). */
-  groups?: ArrayLike<number>;
+  groups?: Numbers;
   /** Left out: as many without a name as `groups` says. */
   groupNames?: ReadonlyArray<string>;
   /** Target edge length at each point, 0 for none; wins over the option `size` there. */
-  sizes?: ArrayLike<number>;
+  sizes?: Numbers;
   /**
    * Parts that may touch and are meshed each by itself: points of different bodies are never welded, nor is a point that
    * both have one in the mesh.
    */
-  bodies?: ArrayLike<number>;
+  bodies?: Numbers;
   /** Left out: as many without a name as `bodies` says. */
   bodyNames?: ReadonlyArray<string>;
   /** Comments, ignored. */
@@ -83,10 +83,10 @@ export interface SurfaceCallOptions extends SurfaceOptions {
 export interface SurfaceMesh extends Mesh {
   dimension: 3;
   /** x0, y0, z0, x1, …  3 #V. */
-  points: Float64Array;
+  points: Float64s;
   /** Where each vertex lies on the surface as repaired: triangle, #V, and the weights of its corners, 3 #V. */
-  placeTriangles: Int32Array;
-  placeWeights: Float64Array;
+  placeTriangles: Int32s;
+  placeWeights: Float64s;
 }
 
 export interface SurfaceMeshResult extends SurfaceMesh {
@@ -154,32 +154,32 @@ export interface SurfaceSnapshot extends SurfaceProgress {
    * Edges a, b that the mesh follows, 2 #E, and why: 1 sharp, 2 marked, 3 border of a group, 4 border or sheets that meet.
    * Corners are vertices; `faces` has the face of each triangle.
    */
-  features?: { edges: Uint32Array; kinds: Int32Array; corners: Uint32Array; faces: Int32Array };
+  features?: { edges: Uint32s; kinds: Int32s; corners: Uint32s; faces: Int32s };
   /** Target edge length at each vertex. */
-  sizes?: { sizes: Float64Array };
+  sizes?: { sizes: Float64s };
   /**
    * One arm of the cross in the plane of each triangle, a unit vector, 3 #T; the others are quarter turns about the
    * normal. Singularities are vertices; indices by quarters of a turn, +1 where three quads meet, -1 where five do.
    */
-  crosses?: { axes: Float64Array; singularities: Uint32Array; indices: Int32Array };
+  crosses?: { axes: Float64s; singularities: Uint32s; indices: Int32s };
   /**
    * The chart of each triangle, #T, and the corners of each in its chart's own plane, u, v, 6 #T, in about the lengths of
    * the surface. `cuts` are the borders of charts that are no features, 2 per edge.
    */
-  charts?: { charts: Int32Array; uv: Float64Array; cuts: Uint32Array };
+  charts?: { charts: Int32s; uv: Float64s; cuts: Uint32s };
   /**
    * The clipped Voronoi cells in the chart that is being meshed, `chart`, -1 between charts: pieces as polygons, offsets by
    * point, #pieces + 1, in the chart's own plane (u, v) and on the surface (x, y, z), and the vertex of the triangulation
    * each belongs to; energy density per vertex.
    */
-  cells?: { chart: number; uv: Float64Array; points: Float64Array; offsets: Int32Array; sites: Int32Array; density: Float64Array };
+  cells?: { chart: number; uv: Float64s; points: Float64s; offsets: Int32s; sites: Int32s; density: Float64s };
   /**
    * The quads of the charts meshed so far, then of all. Per face (quads first, then triangles) its region and η, per
    * vertex its valence and what it may do: 0 free, 1 on a feature or border, 2 a corner; `edges` as in the result.
    */
   quads?: {
-    points: Float64Array; quads: Uint32Array; triangles: Uint32Array; regions: Int32Array; eta: Float64Array;
-    valence: Int32Array; pinned: Int32Array; edges: Uint32Array;
+    points: Float64s; quads: Uint32s; triangles: Uint32s; regions: Int32s; eta: Float64s;
+    valence: Int32s; pinned: Int32s; edges: Uint32s;
   };
 }
 

@@ -5,7 +5,7 @@
  * the abort and that no session or other call needs, is replaced by the next call.
  */
 import type {
-  Description, Domain, Layers, Mesh, MeshCallOptions, MeshFormat, MeshResult, Progress, ReadDomain,
+  Description, Domain, Given, Layers, Mesh, MeshCallOptions, MeshFormat, MeshResult, Progress, ReadDomain,
   ReadOptions, ReadSurfaceOptions, Snapshot, State, Surface, SurfaceInput, SurfaceLayers, SurfaceMesh, SurfaceMeshFormat,
   SurfaceMeshResult, SurfaceOptions, SurfaceProgress, SurfaceSnapshot, WasmSource, WriteOptions,
 } from './index.js';
@@ -18,8 +18,8 @@ export type WorkerMeshOptions = Omit<MeshCallOptions, 'sizeAt' | 'angleAt' | 'on
 export interface Control<P = Progress & { tick: number }> {
   /** Ends the run with the error CANCELLED, whose `cause` is the signal's reason. */
   signal?: AbortSignal;
-  /** What it throws ends the run, and is what the call rejects with. */
-  onProgress?: (progress: P) => void;
+  /** Returning false ends the run with the error CANCELLED. What it throws ends it too, and is what the call rejects with. */
+  onProgress?: (progress: P) => unknown;
 }
 export type SurfaceControl = Control<SurfaceProgress>;
 
@@ -53,14 +53,14 @@ export interface LpquadWorker {
   /** Starts the worker, unless it runs. */
   ready(): Promise<Description>;
   meshDomain(domain: Domain, options?: WorkerMeshOptions, control?: Control): Promise<MeshResult>;
-  start(domain: Domain, options?: WorkerMeshOptions, control?: Control): Promise<WorkerSession>;
+  start(domain: Domain, options?: WorkerMeshOptions & { memory?: boolean }, control?: Control): Promise<WorkerSession>;
   readDomain(source: string | Uint8Array | ArrayBuffer, options?: ReadOptions): Promise<ReadDomain>;
   readSurface(source: string | Uint8Array | ArrayBuffer, options?: ReadSurfaceOptions): Promise<Surface>;
   isSurfaceFile(source: string | Uint8Array | ArrayBuffer, options?: { name?: string }): Promise<boolean>;
   meshSurface(surface: SurfaceInput, options?: SurfaceOptions, control?: SurfaceControl): Promise<SurfaceMeshResult>;
   startSurface(surface: SurfaceInput, options?: SurfaceOptions, control?: SurfaceControl): Promise<WorkerSurfaceSession>;
-  writeMesh(mesh: SurfaceMesh, format: SurfaceMeshFormat, options?: WriteOptions): Promise<string>;
-  writeMesh(mesh: Mesh & { dimension?: 2 }, format: MeshFormat, options?: WriteOptions): Promise<string>;
+  writeMesh(mesh: Given<SurfaceMesh>, format: SurfaceMeshFormat, options?: WriteOptions): Promise<string>;
+  writeMesh(mesh: Given<Mesh> & { dimension?: 2 }, format: MeshFormat, options?: WriteOptions): Promise<string>;
   /** Open calls and sessions end with WORKER_LOST. */
   terminate(): void;
   [Symbol.dispose](): void;

@@ -7,7 +7,8 @@ export class BadStages extends Error {}
 /** @param {string} name  @param {string} why  @returns {never} */
 const refuse = (name, why) => { throw new BadStages(`${name} ${why}`); };
 
-/** @typedef {{points: Float64Array, triangles: Uint32Array, quads: Uint32Array}} Faces */
+/** @typedef {import('lpquad').Float64s} Float64s  @typedef {import('lpquad').Uint32s} Uint32s */
+/** @typedef {{points: Float64s, triangles: Uint32s, quads: Uint32s}} Faces */
 
 /** @param {string} name  @param {string} text  @returns {Faces} */
 export function readObj(name, text) {

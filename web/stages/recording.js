@@ -61,7 +61,7 @@ function readFields(json) {
   };
 }
 
-/** @param {{points: Float64Array, triangles: Uint32Array}} mesh  @param {number} boundaryNodes */
+/** @param {Pick<import('./parse.js').Faces, 'points' | 'triangles'>} mesh  @param {number} boundaryNodes */
 const triangleLayer = ({ points, triangles }, boundaryNodes) => ({ points, triangles, boundaryNodes });
 
 /** @param {(name: string) => Fields} json  @param {Fields} energy  @param {number} boundaryNodes  @returns {Shown} */
@@ -87,7 +87,7 @@ function readTriangles(json, energy, boundaryNodes) {
   return { triangles, cells: { points: Float64Array.from(corners), offsets: Int32Array.from(offsets), sites: Int32Array.from(sites), density, energy: energy.number('energy') } };
 }
 
-/** @param {Fields} json  @param {{points: Float64Array, triangles: Uint32Array}} mesh  @returns {NonNullable<Shown['matching']>} */
+/** @param {Fields} json  @param {Pick<import('./parse.js').Faces, 'points' | 'triangles'>} mesh  @returns {NonNullable<Shown['matching']>} */
 function readMatching(json, { points, triangles }) {
   const count = triangles.length / 3;
   const pairs = json.indices('matching', 2, count), graph = json.tuples('edges', 3);

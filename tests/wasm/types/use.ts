@@ -139,6 +139,9 @@ export async function worker(): Promise<void> {
     { signal: controller.signal, onProgress: (progress) => progress.tick });
   // @ts-expect-error functions do not cross
   await remote.meshDomain({ loops: [] }, { sizeAt: () => 1 });
+  // @ts-expect-error of sessions only
+  await remote.meshDomain({ loops: [] }, { memory: false });
+  await remote.start({ loops: [] }, { memory: false }, { onProgress: ({ tick }) => tick < 9 });
   // @ts-expect-error a promise
   remote.writeMesh(mesh, 'obj').length;
   const session = await remote.start({ loops: [[0, 0, 1, 0, 1, 1]] });
@@ -165,4 +168,17 @@ export async function cad(factory: () => Promise<import('lpquad/cad').OcctInstan
   // @ts-expect-error no such format
   await readCad(bytes, { format: 'stl' });
   return isCadFile('part.igs') ? part.triangles.length + part.groupNames.length : surfaceAsObj(part).length;
+}
+
+/** Whatever the version of TypeScript: results can be sent and kept, and what was received or shared can be given back. */
+export async function buffers(lpquad: Lpquad, surface: Surface, shared: Float64Array): Promise<void> {
+  const mesh = lpquad.meshDomain({ loops: [shared, Float32Array.of(0, 0), [0, 0, 1, 0, 1, 1]] }, { sizes: shared });
+  // @ts-expect-error no list
+  lpquad.meshDomain({ loops: [{ length: 6, 0: 0, 1: 0, 2: 1, 3: 0, 4: 1, 5: 1 }] });
+  const { placeWeights } = await lpquad.meshSurface({ ...surface, sizes: shared });
+  const transferred: ArrayBuffer[] = [mesh.points.buffer, mesh.quads.buffer, mesh.edgeTags.buffer, surface.points.buffer, placeWeights.buffer];
+  new Blob([mesh.points, mesh.quads, placeWeights]);
+  structuredClone(mesh, { transfer: transferred });
+  lpquad.writeMesh({ ...mesh, points: shared }, 'obj');
+  surfaceAsObj({ ...surface, points: shared, groups: Int32Array.of(0) });
 }
