@@ -23,6 +23,11 @@ test('what the mesher refuses is refused in words, and nothing else', () => {
   for (const [name, text] of [['norm', '6'], ['norm', ' 2,5 '], ['iterations', '-1'], ['size', '1e-3'], ['seed', '9007199254740991']])
     assert.equal(problemWith(info(name), text), '', `${name} ${text}`);
   assert.equal(numberOf(' 2,5 '), 2.5);
+  assert.equal(numberOf('0,125'), 0.125);
+  for (const text of ['1,000', '1.000', '1 000', ' 1’000 ']) assert.equal(numberOf(text, true), 1000, text);
+  assert.equal(numberOf('12,345,678', true), 12345678);
+  for (const text of ['1,5', '0,125', '1000,5']) assert.ok(!Number.isInteger(numberOf(text, true)), text);
+  assert.ok(Number.isNaN(numberOf('1,000.000', true)));
 });
 
 test('only what differs from the defaults is kept', () => {

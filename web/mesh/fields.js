@@ -52,8 +52,9 @@ export function createNumber(info, give) {
     const wrong = problemWith(info, text);
     setText(problem, wrong);
     input.setAttribute('aria-invalid', String(wrong !== ''));
-    if (wrong === '') give(numberOf(text));
-    if (wrong === '' && numberOf(text) === shown) show(shown);
+    const value = numberOf(text, info.type === 'integer');
+    if (wrong === '') give(value);
+    if (wrong === '' && value === shown) show(shown);
   }
   function show(/** @type {Value} */ value) {
     shown = value;

@@ -44,7 +44,7 @@ export const withSize = ({ quads, ...options }, size) => ({ ...options, size });
 /** What is wrong with a text as the value of an option, in words; '' is nothing.
  * @param {OptionInfo} info  @param {string} text */
 export function problemWith(info, text) {
-  const value = numberOf(text);
+  const value = numberOf(text, info.type === 'integer');
   if (text.trim() === '' || Number.isNaN(value)) return 'A number is needed.';
   if (info.type === 'integer' && !Number.isInteger(value)) return 'A whole number is needed.';
   if (info.min !== undefined && value < info.min) return `At least ${inWords(info.min)}.`;
@@ -52,8 +52,12 @@ export function problemWith(info, text) {
   return '';
 }
 
-/** A comma is taken for a point: it is one on many keyboards. @param {string} text */
-export const numberOf = (text) => Number(text.trim().replace(',', '.'));
+const grouped = /^[1-9]\d{0,2}(?:([.,\s’'])\d{3})(?:\1\d{3})*$/;
+
+/** A comma is taken for a point: it is one on many keyboards. In a whole number either parts thousands: 1,000.
+ * @param {string} text  @param {boolean} [whole] */
+export const numberOf = (text, whole = false) =>
+  Number(whole && grouped.test(text.trim()) ? text.replace(/\D/g, '') : text.trim().replace(',', '.'));
 
 /** As short as it can be typed again. @param {number} number */
 export const inWords = (number) => (Math.abs(number) >= 1e16 ? number.toExponential() : String(number));

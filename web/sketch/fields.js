@@ -1,4 +1,5 @@
 // Numbers to type: a labelled field that takes what is a number and shows what is so.
+import { numberOf } from '../mesh/options.js';
 import { h } from '../panels/dom.js';
 import { short } from './sketch.js';
 
@@ -15,7 +16,7 @@ import { short } from './sketch.js';
  */
 export function numberField({ label, get, set, min = -Infinity, whole = false, hint = '', title = '' }) {
   const parsed = () => {
-    const value = input.value.trim() === '' ? NaN : Number(input.value.trim().replace(',', '.'));
+    const value = input.value.trim() === '' ? NaN : numberOf(input.value, whole);
     return Number.isFinite(value) && value >= min ? (whole ? Math.round(value) : value) : null;
   };
   const refresh = () => {
