@@ -187,3 +187,48 @@ test('the sign of a problem is beside its title', () => onPage({ hash: 'space.ht
   const [sign, title] = await page.locator('.error-bar .words').evaluate(({ children: [a, b] }) => [a, b].map((one) => one.getBoundingClientRect().toJSON()));
   assert.ok(sign.right <= title.left + 1 && Math.abs(sign.top - title.top) < 8, JSON.stringify([sign, title]));
 }));
+
+test('where the browser chooses the colours, what is on is told from what is not', () => onPage({ hash: '#preset=square' }, async (page) => {
+  await page.emulateMedia({ forcedColors: 'active' });
+  await finished(page);
+  const differ = (on, off) => page.evaluate(([on, off]) => {
+    const [a, b] = [on, off].map((selector) => getComputedStyle(document.querySelector(selector)));
+    return a.backgroundColor !== b.backgroundColor && a.backgroundColor !== a.color;
+  }, [on, off]);
+  assert.ok(await differ('#tools button[aria-pressed="true"]', '#tools button[aria-pressed="false"]'), 'tools');
+  assert.ok(await differ('.tabs button[aria-selected="true"]', '.tabs button[aria-selected="false"]'), 'tabs');
+  assert.ok(await differ('a.place[aria-current]', 'a.place:not([aria-current])'), 'places');
+  await page.getByRole('tab', { name: 'Layers' }).click();
+  assert.ok(await differ('.layer button[aria-pressed="true"]', '.layer button[aria-pressed="false"]'), 'layers');
+  await page.getByRole('tab', { name: 'Mesh' }).click();
+  assert.ok(await differ('.choices input:checked + span', '.choices input:not(:checked) + span'), 'choices');
+}));
+
+test('whoever stops a run is told so, and not alarmed', () => onPage({ hash: '#preset=square' }, async (page) => {
+  await page.evaluate(() => globalThis.playground.store.change('Many', { options: { quads: 60000 } }));
+  await page.waitForFunction(() => globalThis.playground.runner.run.project?.options.quads === 60000);
+  await page.evaluate(() => globalThis.playground.actions.run('run.cancel'));
+  const bar = page.locator('.error-bar', { hasText: 'You stopped this run.' });
+  await bar.waitFor();
+  assert.equal(await bar.locator('.words .icon').isVisible(), false);
+  assert.equal(await bar.getAttribute('aria-label'), 'What to do');
+  await bar.getByRole('button', { name: 'Run again' }).waitFor();
+}));
+
+test('what the run says is not cut off', () => onPage({ hash: '#preset=square' }, async (page) => {
+  await finished(page);
+  await page.evaluate(() => globalThis.playground.actions.run('sketch.empty'));
+  const name = page.locator('.stage-name', { hasText: 'no mesh' });
+  for (const width of [360, 800, 1280, 1440]) {
+    await page.setViewportSize({ width, height: 800 });
+    await name.waitFor();
+    const [inside, outside] = await name.evaluate((one) => [[one.scrollWidth, one.scrollHeight], [one.clientWidth + 1, one.clientHeight + 1]]);
+    assert.ok(inside.every((size, i) => size <= outside[i]), `${width} px: ${inside} in ${outside}`);
+  }
+}));
+
+test('what snaps stands in line with its fields', () => onPage({ hash: '#preset=square' }, async (page) => {
+  const bottoms = await page.locator('.snap-section').evaluate((section) =>
+    [...section.querySelectorAll('button, input, select')].map((one) => one.getBoundingClientRect().bottom));
+  assert.ok(bottoms.length > 4 && Math.max(...bottoms) - Math.min(...bottoms) < 1, String(bottoms));
+}));

@@ -16,6 +16,9 @@ import { diagonalOf } from './model/drawing.js';
 /** A message of the page's own: a file that was not read, what was left out of one.
  * @typedef {{title: string, details: string, problem?: Problem, refused?: boolean}} Notice  refused: another file may do */
 
+/** Nobody did wrong. */
+const neutral = ['EMPTY', 'CANCELLED'];
+
 export class ErrorBar {
   #app;
   #sketch;
@@ -78,6 +81,7 @@ export class ErrorBar {
     setText(this.#title, shown.title);
     setText(this.#details, shown.problem?.code === 'EMPTY' ? 'Click the corners of an outline here, or open a file.' : shown.details);
     this.#bar.dataset.code = shown.problem?.code ?? '';
+    this.#bar.ariaLabel = neutral.includes(this.#bar.dataset.code) ? 'What to do' : 'Problem';
     const key = [shown.problem ?? this.#notice, store.project, store.gesture];
     if (key.every((value, i) => value === this.#builtFor[i])) return;
     this.#builtFor = key;
