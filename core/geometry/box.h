@@ -63,6 +63,12 @@ inline bool overlap(const Box3& a, const Box3& b) {
          a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
 }
 
+inline double squared_distance(const Box3& box, Vec3 p) {
+  return squared_length({std::max({0.0, box.lo.x - p.x, p.x - box.hi.x}),
+                         std::max({0.0, box.lo.y - p.y, p.y - box.hi.y}),
+                         std::max({0.0, box.lo.z - p.z, p.z - box.hi.z})});
+}
+
 inline bool is_empty(const Box3& box) { return box.lo.x > box.hi.x; }
 
 inline double diagonal(const Box3& box) { return length(box.hi - box.lo); }

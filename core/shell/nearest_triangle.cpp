@@ -15,12 +15,6 @@ Vec3 nearest_on_edge(Vec3 p, Vec3 a, Vec3 b) {
   return a + std::clamp(dot(p - a, along) / whole, 0.0, 1.0) * along;
 }
 
-double squared_distance(const Box3& box, Vec3 p) {
-  return squared_length({std::max({0.0, box.lo.x - p.x, p.x - box.hi.x}),
-                         std::max({0.0, box.lo.y - p.y, p.y - box.hi.y}),
-                         std::max({0.0, box.lo.z - p.z, p.z - box.hi.z})});
-}
-
 SpaceTree tree_over(std::span<const Vec3> points, std::span<const Tri> triangles) {
   std::vector<Box3> boxes;
   std::vector<Vec3> centres;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/sort_unique.h"
 #include "base/words.h"
 #include "shell/check.h"
 #include "shell/crossings.h"
@@ -88,6 +89,7 @@ std::optional<Error> ChartRounds::start_round() {
   auto nodes = mesh_curves(cut_.surface, lines_, curves_, size_);
   if (!nodes) return nodes.error();
   nodes_ = std::move(*nodes);
+  if (round_ == 1) nodes_at_first_ = static_cast<double>(nodes_.points.size());
   // A quad has four corners.
   if (static_cast<double>(nodes_.points.size()) > 4.0 * options_.max_elements)
     return Error{ErrorCode::too_many_elements,
@@ -146,12 +148,14 @@ void ChartRounds::refine_doubts() {
 /// Both sides of every crossing that the surface has not; returns their number.
 double ChartRounds::add_crossings(std::vector<Fault>& doubts) const {
   double count = 0;
+  std::vector<Index> faces;  // some cross many others
   for (const FaceCrossing& crossing : mesh_crossings(cut_.surface, mesh_)) {
     if (crossing.given) continue;
-    for (const Index f : crossing.faces)
-      doubts.push_back({{}, mesh_.places[mesh_.faces[f][0]], {}});
+    faces.insert(faces.end(), crossing.faces.begin(), crossing.faces.end());
     ++count;
   }
+  sort_unique(faces);
+  for (const Index f : faces) doubts.push_back({{}, mesh_.places[mesh_.faces[f][0]], {}});
   return count;
 }
 
@@ -192,14 +196,22 @@ void ChartRounds::divide_tips() {
   mark_tips(cut_.surface, lines_);
 }
 
+/// Nodes alone may be too many, too, where curves keep those of a fine surface.
 bool ChartRounds::has_grown() const {
-  return surface_capacity(cut_.surface, size_) > some_quads + most_growth * capacity_at_first_;
+  const auto nodes = static_cast<double>(nodes_.points.size());
+  return surface_capacity(cut_.surface, size_) > some_quads + most_growth * capacity_at_first_ ||
+         nodes > some_quads + most_growth * nodes_at_first_;
 }
 
-/// Chords that cut the vertices of thin charts may cross at every size.
+/// Chords that cut the vertices of thin charts may cross at every size. Vertices inside are on no
+/// chord: there the mesh is free.
 void ChartRounds::keep_vertices(const std::vector<Fault>& faults) {
+  std::vector<char> on_line(kept_vertices_.size(), 0);
+  for (Index e = 0; e < static_cast<Index>(cut_.surface.twins.size()); ++e)
+    if (lines_.half_edge_is_feature(e))
+      on_line[cut_.surface.origin(e)] = on_line[cut_.surface.target(e)] = 1;
   for (const Fault& fault : faults)
-    for (const Index v : fault.everywhere) kept_vertices_[v] = 1;
+    for (const Index v : fault.everywhere) kept_vertices_[v] = kept_vertices_[v] || on_line[v];
 }
 
 bool ChartRounds::take_kept() {

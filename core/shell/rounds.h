@@ -69,7 +69,8 @@ class ChartRounds {
   SurfaceFeatures lines_;            // features and cuts
   std::vector<double> size_;         // #V
   double capacity_at_first_;         // quads that fit before sizes became smaller
-  std::vector<char> kept_vertices_;  // #V  that curves have nodes on
+  double nodes_at_first_ = 0;        // of the curves
+  std::vector<char> kept_vertices_;  // #V  of curves, which have nodes there
   SurfaceCurves curves_;
   CurveMesh nodes_;
   PlaneMeshes made_;
