@@ -103,45 +103,105 @@ Box3 box_of(std::span<const Vec3> points, const Face& face) {
   return box_of(points, std::span(face).first(corner_count(face)));
 }
 
-/// Numbers after f of the boxes that overlap that of f, ascending.
-void find_later(const SpaceTree& tree, std::span<const Box3> boxes, Index f,
-                std::vector<Index>& found) {
-  found.clear();
-  Index waiting[SpaceTree::most_waiting];
-  int height = 0;
-  waiting[height++] = tree.root();
-  while (height > 0) {
-    const SpaceTree::Node& node = tree.node(waiting[--height]);
-    if (!overlap(node.box, boxes[f])) continue;
-    if (node.left != none) {
-      waiting[height++] = node.right;
-      waiting[height++] = node.left;
-      continue;
+/// Faces by what is near.
+class NearFaces {
+ public:
+  NearFaces(std::span<const Vec3> points, std::span<const Face> faces)
+      : boxes_(boxes_of(points, faces)), tree_(boxes_, centres_of(boxes_)) {}
+
+  const Box3& box(Index f) const { return boxes_[f]; }
+
+  /// Numbers from `first` of the boxes that overlap this one, ascending.
+  void find(const Box3& box, Index first, std::vector<Index>& found) const {
+    found.clear();
+    Index waiting[SpaceTree::most_waiting];
+    int height = 0;
+    waiting[height++] = tree_.root();
+    while (height > 0) {
+      const SpaceTree::Node& node = tree_.node(waiting[--height]);
+      if (!overlap(node.box, box)) continue;
+      if (node.left != none) {
+        waiting[height++] = node.right;
+        waiting[height++] = node.left;
+        continue;
+      }
+      for (const Index g : tree_.items(node))
+        if (g >= first && overlap(boxes_[g], box)) found.push_back(g);
     }
-    for (const Index g : tree.items(node))
-      if (g > f && overlap(boxes[g], boxes[f])) found.push_back(g);
+    sort_numbers(found, [](Index i, Index j) { return i < j; });
   }
-  sort_numbers(found, [](Index i, Index j) { return i < j; });
-}
+
+ private:
+  static std::vector<Box3> boxes_of(std::span<const Vec3> points, std::span<const Face> faces) {
+    std::vector<Box3> boxes;
+    for (const Face& face : faces) boxes.push_back(box_of(points, face));
+    return boxes;
+  }
+  static std::vector<Vec3> centres_of(std::span<const Box3> boxes) {
+    std::vector<Vec3> centres;
+    for (const Box3& box : boxes) centres.push_back(midpoint(box.lo, box.hi));
+    return centres;
+  }
+
+  std::vector<Box3> boxes_;  // #F
+  SpaceTree tree_;
+};
 
 /// Calls visit(f, g) for the pairs of faces whose boxes overlap, ascending, until it says false.
 template <class Visit>
 void for_near_pairs(std::span<const Vec3> points, std::span<const Face> faces, Visit visit) {
   if (faces.empty()) return;
-  std::vector<Box3> boxes;
-  std::vector<Vec3> centres;
-  for (const Face& face : faces) {
-    boxes.push_back(box_of(points, face));
-    centres.push_back(midpoint(boxes.back().lo, boxes.back().hi));
-  }
-  const SpaceTree tree(boxes, centres);
+  const NearFaces near(points, faces);
   std::vector<Index> later;
   for (Index f = 0; f < static_cast<Index>(faces.size()); ++f) {
-    find_later(tree, boxes, f, later);
+    near.find(near.box(f), f + 1, later);
     for (const Index g : later)
       if (!visit(f, g)) return;
   }
 }
+
+/// Where a surface goes through itself.
+class GivenNear {
+ public:
+  explicit GivenNear(const SurfaceMesh& surface)
+      : surface_(surface),
+        triangles_(faces_of(surface.triangles)),
+        near_(surface.points, triangles_),
+        crosses_none_(triangles_.size(), 0) {}
+
+  /// Do both triangles of a pair reach into the box?
+  bool reaches(const Box3& box) {
+    near_.find(box, 0, inside_);
+    return std::any_of(inside_.begin(), inside_.end(),
+                       [&](Index f) { return !crosses_none_[f] && crosses_later(f, box); });
+  }
+
+ private:
+  /// One with a greater number that is in the box?
+  bool crosses_later(Index f, const Box3& box) {
+    bool crosses_none = true;
+    near_.find(near_.box(f), f + 1, later_);
+    for (const Index g : later_) {
+      if (!go_through(f, g)) continue;
+      if (overlap(near_.box(g), box)) return true;
+      crosses_none = false;
+    }
+    crosses_none_[f] = crosses_none;
+    return false;
+  }
+
+  bool go_through(Index f, Index g) const {
+    Vec3 at;
+    return surface_.body_of(triangles_[f][0]) == surface_.body_of(triangles_[g][0]) &&
+           lpq::go_through(surface_.points, triangles_[f], triangles_[g], 0, at);
+  }
+
+  const SurfaceMesh& surface_;
+  std::vector<Face> triangles_;
+  NearFaces near_;
+  std::vector<char> crosses_none_;  // #T  with a greater number, as far as is known
+  std::vector<Index> inside_, later_;
+};
 
 }  // namespace
 
@@ -178,17 +238,11 @@ std::vector<FaceCrossing> mesh_crossings(const SurfaceMesh& surface, const Shell
   std::vector<FaceCrossing> crossings =
       find_crossings(mesh.points, mesh.faces, bodies_at(surface, mesh.places), most_crossings);
   if (crossings.empty()) return crossings;
-  const std::vector<Face> triangles = faces_of(surface.triangles);
-  for (const FaceCrossing& given :
-       find_crossings(surface.points, triangles, surface.body, most_crossings)) {
-    const auto [s, t] = given.faces;
-    const Box3 of_s = box_of(surface.points, triangles[s]);
-    const Box3 of_t = box_of(surface.points, triangles[t]);
-    for (FaceCrossing& crossing : crossings) {
-      Box3 box;
-      for (const Index f : crossing.faces) extend(box, box_of(mesh.points, mesh.faces[f]));
-      if (overlap(box, of_s) && overlap(box, of_t)) crossing.given = true;
-    }
+  GivenNear given(surface);
+  for (FaceCrossing& crossing : crossings) {
+    Box3 box;
+    for (const Index f : crossing.faces) extend(box, box_of(mesh.points, mesh.faces[f]));
+    crossing.given = given.reaches(box);
   }
   return crossings;
 }

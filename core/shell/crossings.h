@@ -36,8 +36,9 @@ struct GivenCrossings {
 /// each. Cost: one search.
 GivenCrossings given_crossings(const SurfaceMesh& surface, std::span<const double> size);
 
-/// Of the mesh, at most 10,000; `given` if the boxes of a crossing pair of the surface reach there.
-/// Cost: that of find_crossings() for the mesh and, if it has any, for the surface.
+/// Of the mesh, at most 10,000; `given` if the boxes of a crossing pair of the surface reach there,
+/// of which it may have any number. Cost: that of find_crossings() for the mesh, and if it has any
+/// for the surface beside them.
 std::vector<FaceCrossing> mesh_crossings(const SurfaceMesh& surface, const ShellMesh& mesh);
 
 }  // namespace lpq

@@ -225,6 +225,33 @@ TEST_CASE("a surface that goes through itself is not what smaller quads mend") {
   CHECK(told(outcome).find("The surface goes through itself there") != std::string::npos);
 }
 
+TEST_CASE("however often a surface goes through itself, what quads do there is given") {
+  constexpr Index slats = 85;  // in two directions, each through all of the other
+  Faces mesh;
+  for (Index i = 0; i < slats; ++i) {
+    const double at = i + 0.5;
+    mesh.add_sheet({at, 0, 0}, {0, slats, 0}, {0, 0, 1}, 1);
+    mesh.add_sheet({0, at, 0.1}, {slats, 0, 0}, {0, 0, 1}, 1);
+  }
+  SurfaceMesh surface;
+  surface.points = mesh.points;
+  for (const Face& f : mesh.faces) {
+    surface.triangles.push_back({f[0], f[1], f[2]});
+    surface.triangles.push_back({f[0], f[2], f[3]});
+  }
+  ShellMesh shell;
+  shell.points = mesh.points;
+  shell.faces = mesh.faces;
+  shell.places.resize(shell.points.size());
+  REQUIRE(find_crossings(surface.points, faces_of(surface.triangles), {}, 10'000).size() == 10'000);
+  const std::vector<FaceCrossing> crossings = mesh_crossings(surface, shell);
+  CHECK(crossings.size() == slats * slats);
+  for (const FaceCrossing& crossing : crossings) REQUIRE(crossing.given);
+  // Elsewhere it is not.
+  for (Vec3& p : surface.points) p.z += 10;
+  for (const FaceCrossing& crossing : mesh_crossings(surface, shell)) REQUIRE(!crossing.given);
+}
+
 TEST_CASE("bodies that go into each other are told, those that fit are not") {
   const SurfaceSoup box = box_soup({1, 1, 1}, 3), other = box_soup({1, 1, 1}, 4);
   const std::string words = "go through each other: ";
