@@ -21,16 +21,24 @@ std::vector<Index> used_points(std::span<const char> used) {
   return list;
 }
 
+/// Powers of smaller coordinates underflow: points that differ in these alone have no distance.
+double plain(double coordinate) {
+  constexpr double least_coordinate = 1e-60;  // surfaces are 1e-30 across at least
+  return std::abs(coordinate) < least_coordinate ? 0 : coordinate;
+}
+
+Vec3 plain(Vec3 p) { return {plain(p.x), plain(p.y), plain(p.z)}; }
+
 template <class Body>
 void unite_equal(std::span<const Vec3> points, std::vector<Index> list, const Body& body,
                  DisjointSets& sets) {
   sort_numbers(list, [&](Index i, Index j) {
-    const Vec3 a = points[i], b = points[j];
+    const Vec3 a = plain(points[i]), b = plain(points[j]);
     const Index of_a = body(i), of_b = body(j);
     return std::tie(a.x, a.y, a.z, of_a, i) < std::tie(b.x, b.y, b.z, of_b, j);
   });
   for (std::size_t k = 1; k < list.size(); ++k)
-    if (points[list[k - 1]] == points[list[k]] && body(list[k - 1]) == body(list[k]))
+    if (plain(points[list[k - 1]]) == plain(points[list[k]]) && body(list[k - 1]) == body(list[k]))
       sets.unite(list[k - 1], list[k]);
 }
 

@@ -440,3 +440,13 @@ TEST_CASE("the cells of the chart that is meshed cover it, in its plane and on t
   CHECK(std::count(seen.begin(), seen.end(), 1) ==
         static_cast<std::ptrdiff_t>(mesher->atlas().charts.size()));
 }
+
+TEST_CASE("a hole next to nothing wide ends no run in an endless walk round it") {
+  for (const double e : {1e-200, 1e-59, 1e-50}) {
+    SurfaceSoup soup;
+    soup.points = {{e, 0, 0}, {0, e, 0}, {-e, -e, 0}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}};
+    soup.triangles = {{0, 3, 1}, {1, 3, 4}, {1, 4, 2}, {2, 4, 5}, {2, 5, 0}, {0, 5, 3}};
+    const auto outcome = mesh_surface(soup, {.size = 0.3, .weld = 0});
+    if (outcome) CHECK(check_shell(outcome->surface, outcome->mesh).empty());
+  }
+}

@@ -72,13 +72,19 @@ std::vector<TrackPosition> Tracks::positions_of(const SurfaceCurves& curves,
   return result;
 }
 
+/// Anywhere on a loop so small that s goes round it all the time, or without length.
+double Tracks::once_round(Index track, double s) const {
+  constexpr double most_rounds = 1000;
+  const double whole = length(track);
+  if (!(std::abs(s) < most_rounds * whole)) return 0;
+  while (s < 0) s += whole;
+  while (s >= whole) s -= whole;
+  return s;
+}
+
 Tracks::Point Tracks::at(Index track, double s) const {
+  if (curves_.is_loop[track]) s = once_round(track, s);
   const auto start = start_.row(track);
-  const double whole = start.back();
-  if (curves_.is_loop[track]) {
-    while (s < 0) s += whole;
-    while (s >= whole) s -= whole;
-  }
   const auto after = std::upper_bound(start.begin() + 1, start.end() - 1, s);
   const std::size_t k = static_cast<std::size_t>(after - start.begin()) - 1;
   const double size = start[k + 1] - start[k];

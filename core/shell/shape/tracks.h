@@ -41,6 +41,7 @@ class Tracks {
   double sagitta(Index track, double from, double to) const;
 
  private:
+  double once_round(Index track, double s) const;
   TrackPosition position_on(Index edge, Index from, double share) const;
 
   const SurfaceMesh& mesh_;
