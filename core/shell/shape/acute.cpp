@@ -28,23 +28,21 @@ class Creases {
       : tracks_(tracks),
         features_(charted.features),
         angles_(edge_angles(charted.mesh, charted.size, features_.edges)),
-        chains_(charted.mesh, angles_, FeatureOptions{}.angle, features_) {}
+        chains_(charted.mesh, angles_, FeatureOptions{}.angle, features_),
+        curves_at_(curves_at_ends(tracks.curves(), charted.mesh.points.size())),
+        roughness_(tracks.curves().is_loop.size(), Roughness::unknown) {}
   Creases(const Creases&) = delete;
 
   /// Their starts, as tracks with s at the corner's end; none unless all are sharp edges and one is
   /// noise.
-  std::vector<TrackPosition> at(Index corner) const {
+  std::vector<TrackPosition> at(Index corner) {
     const SurfaceCurves& curves = tracks_.curves();
     std::vector<TrackPosition> ends;
     bool rough = false;
-    for (Index c = 0; c < curves.count(); ++c) {
+    for (const Index c : curves_at_.row(corner)) {
       const auto vertices = curves.vertices.row(c);
-      const auto edges = curves.edges.row(c);
-      if (vertices.front() != corner && vertices.back() != corner) continue;
-      if (features_.kind[edges[0]] != FeatureKind::sharp) return {};
-      rough =
-          rough || chains_.is_rough(
-                       {{edges.begin(), edges.end()}, {vertices.begin(), vertices.end()}}, false);
+      if (features_.kind[curves.edges.row(c)[0]] != FeatureKind::sharp) return {};
+      rough = rough || is_rough(c);
       if (vertices.front() == corner) ends.push_back({c, 0, none});
       if (vertices.back() == corner) ends.push_back({c, tracks_.length(c), none});
     }
@@ -52,10 +50,35 @@ class Creases {
   }
 
  private:
+  enum class Roughness : char { unknown, smooth, rough };
+
+  /// #V  curves that begin or end there, ascending, each once.
+  static Csr<Index> curves_at_ends(const SurfaceCurves& curves, std::size_t vertices) {
+    return csr_from<Index>(vertices, [&](auto&& emit) {
+      for (Index c = 0; c < curves.count(); ++c) {
+        const Index first = curves.vertices.row(c).front(), last = curves.vertices.row(c).back();
+        emit(first, c);
+        if (last != first) emit(last, c);
+      }
+    });
+  }
+
+  bool is_rough(Index c) {
+    if (roughness_[c] == Roughness::unknown) {
+      const auto vertices = tracks_.curves().vertices.row(c);
+      const auto edges = tracks_.curves().edges.row(c);
+      const SharpChain chain{{edges.begin(), edges.end()}, {vertices.begin(), vertices.end()}};
+      roughness_[c] = chains_.is_rough(chain, false) ? Roughness::rough : Roughness::smooth;
+    }
+    return roughness_[c] == Roughness::rough;
+  }
+
   const Tracks& tracks_;
   SurfaceFeatures features_;
   std::vector<double> angles_;
   SharpChains chains_;
+  Csr<Index> curves_at_;              // #V
+  std::vector<Roughness> roughness_;  // #curves
 };
 
 class CornerEaser {
@@ -82,9 +105,11 @@ class CornerEaser {
     Index face = none, vertex = none;
   };
 
+  /// One more than are looked at, at most.
   std::vector<PoorCorner> poor_corners() {
     std::vector<PoorCorner> corners;
-    for (Index f = 0; f < static_cast<Index>(mesh_.faces.size()); ++f)
+    const auto count = static_cast<Index>(mesh_.faces.size());
+    for (Index f = 0; f < count && corners.size() <= most_corners; ++f)
       for (const Index v : mesh_.faces[f])
         if (v != none && roles_[v].on_track.vertex != none && is_poor(f) && !creases_at(v).empty())
           corners.push_back({f, v});
