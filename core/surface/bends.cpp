@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <set>
 #include <vector>
 
 #include "base/sort_numbers.h"
@@ -85,17 +88,25 @@ class BendFinder {
     sort_values(bends, [](const Bend& a, const Bend& b) {
       return a.depth != b.depth ? a.depth > b.depth : a.at < b.at;
     });
-    std::vector<double> taken;
+    std::set<double> taken;
     for (const Bend& bend : bends) {
-      const double least = apart * size_[bend.vertex];
-      const auto near = [&](double s) {
-        const double d = std::abs(s - bend.at);
-        return std::min(d, loop ? line.length() - d : d) < least;
-      };
-      if (std::any_of(taken.begin(), taken.end(), near)) continue;
-      taken.push_back(bend.at);
+      const double whole = loop ? line.length() : std::numeric_limits<double>::infinity();
+      if (!taken.empty() && distance_to(taken, bend.at, whole) < apart * size_[bend.vertex])
+        continue;
+      taken.insert(bend.at);
       features_.corner[bend.vertex] = 1;
     }
+  }
+
+  /// Least distance of s from those taken, on a line that closes after `whole`: on the way round
+  /// the first and the last are nearest.
+  static double distance_to(const std::set<double>& taken, double s, double whole) {
+    const double far = std::max(std::abs(s - *taken.begin()), std::abs(s - *taken.rbegin()));
+    double least = whole - far;
+    const auto next = taken.lower_bound(s);
+    if (next != taken.end()) least = std::min(least, *next - s);
+    if (next != taken.begin()) least = std::min(least, s - *std::prev(next));
+    return least;
   }
 
   bool is_bend(const Line& line, double s, double h) const {

@@ -6,6 +6,7 @@
 #include "support/surface_checks.h"
 #include "support/surface_meshes.h"
 #include "support/surface_shapes.h"
+#include "surface/bends.h"
 #include "surface/needles.h"
 #include "surface/normals.h"
 #include "surface/repair.h"
@@ -414,4 +415,31 @@ TEST_CASE("a crease on an uneven surface is kept whole if it is long for the mes
   CHECK(sharp_along(mesh, fine, 10) == 20);
   CHECK(count_of(fine, FeatureKind::sharp) == 20);
   CHECK(count_of(features_of(mesh, 2, {.angle = 180}), FeatureKind::sharp) == 0);
+}
+
+TEST_CASE("of many bends along a closed line no two are nearer than most of a mesh size") {
+  constexpr int n = 3000;
+  constexpr double h = 0.05;
+  SurfaceSoup wheel;
+  for (int i = 0; i < n; ++i) {
+    const double r = 1 + 0.02 * std::cos(turn * 60 * i / n) + 0.01 * std::cos(turn * 97 * i / n);
+    wheel.points.push_back({r * std::cos(turn * i / n), r * std::sin(turn * i / n), 0});
+    wheel.triangles.push_back({i, (i + 1) % n, n});
+  }
+  wheel.points.push_back({0, 0, 0});
+  const SurfaceMesh mesh = mesh_of(wheel);
+  SurfaceFeatures features = features_of(mesh, h);
+  features.corner.assign(mesh.points.size(), 0);
+  mark_bends(mesh, std::vector<double>(mesh.points.size(), h), 30, features);
+  std::vector<double> at;
+  double s = 0;
+  for (Index v = 0; v < n; ++v) {  // the border, in this order
+    if (features.corner[v]) at.push_back(s);
+    s += distance(mesh.points[v], mesh.points[(v + 1) % n]);
+  }
+  REQUIRE(at.size() > 20);
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const double next = k + 1 < at.size() ? at[k + 1] : s + at[0];
+    CHECK(next - at[k] > 0.75 * h * (1 - 1e-9));
+  }
 }
