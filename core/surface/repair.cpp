@@ -2,6 +2,8 @@
 #include "surface/repair.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <tuple>
 
 #include "base/sort_numbers.h"
@@ -66,21 +68,24 @@ class Repair {
     const auto most = *std::max_element(soup_.body.begin(), soup_.body.end());
     soup_.body_names.resize(std::max(soup_.body_names.size(), static_cast<std::size_t>(most) + 1));
     body_.assign(soup_.points.size(), none);
-    std::vector<Index> next_copy(soup_.points.size(), none);  // of the same point, another body's
+    std::map<std::array<Index, 2>, Index> copies;  // of a point for all bodies but its first
     for (std::size_t t = 0; t < soup_.triangles.size(); ++t)
       for (Index& v : soup_.triangles[t]) {
         const Index body = soup_.body[t];
         if (body_[v] == none) body_[v] = body;
-        while (body_[v] != body && next_copy[v] != none) v = next_copy[v];
         if (body_[v] == body) continue;
-        next_copy[v] = static_cast<Index>(soup_.points.size());
-        soup_.points.push_back(Vec3{soup_.points[v]});
-        if (!soup_.sizes.empty()) soup_.sizes.push_back(double{soup_.sizes[v]});
-        used_.push_back(1);
-        body_.push_back(body);
-        v = next_copy[v];
-        next_copy.push_back(none);
+        const auto next = static_cast<Index>(soup_.points.size());
+        const auto [copy, is_new] = copies.insert({{v, body}, next});
+        if (is_new) add_copy(v, body);
+        v = copy->second;
       }
+  }
+
+  void add_copy(Index v, Index body) {
+    soup_.points.push_back(Vec3{soup_.points[v]});
+    if (!soup_.sizes.empty()) soup_.sizes.push_back(double{soup_.sizes[v]});
+    used_.push_back(1);
+    body_.push_back(body);
   }
 
   bool joins_nearly_all(double reach) const {

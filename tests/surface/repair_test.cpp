@@ -140,6 +140,29 @@ TEST_CASE("a point that two bodies have becomes two") {
   CHECK(volume_of(pair.mesh) == Approx(2.0 / 6));
 }
 
+TEST_CASE("a point that very many bodies have becomes one for each") {
+  constexpr Index bodies = 20'000;
+  SurfaceSoup soup;
+  soup.points = {{0, 0, 0}};
+  for (Index b = 0; b < bodies; ++b) {
+    const double x = 1 + b / 4, far = b % 4;
+    const auto first = static_cast<Index>(soup.points.size());
+    for (const Vec3 p : {Vec3{x, far, 1}, Vec3{x + 0.5, far, 1}, Vec3{x, far + 0.5, 1}})
+      soup.points.push_back(p);
+    for (const Tri& t : {Tri{0, first + 1, first}, Tri{0, first + 2, first + 1},
+                         Tri{0, first, first + 2}, Tri{first, first + 1, first + 2}}) {
+      soup.triangles.push_back(t);
+      soup.body.push_back(b);
+    }
+  }
+  const auto all = repaired(soup);
+  CHECK(all.report.components == bodies);
+  CHECK(all.report.border_edges + all.report.nonmanifold_edges == 0);
+  CHECK(all.mesh.vertex_count() == 4 * bodies);
+  for (const Tri& t : all.mesh.triangles)
+    for (const Index v : t) REQUIRE(all.mesh.body[v] == all.mesh.body[t[0]]);
+}
+
 TEST_CASE("loose sheets are one body, closed ones stay, and so do those with points of their own") {
   SurfaceSoup box = box_soup({1, 1, 1}, 2), soup = as_bodies({box, box, box});
   // The sides of the third are sheets: 8 triangles each.
@@ -170,6 +193,16 @@ TEST_CASE("duplicates, repeated corners and points without triangles go") {
   CHECK(box.report.collapsed_triangles == 1);
   CHECK(box.report.unused_points == 1);
   CHECK(box.mesh.triangles.size() == count);
+}
+
+TEST_CASE("points whose distance is too small for a number are equal") {
+  constexpr double e = 1e-200;
+  const SurfaceSoup ring =
+      soup_of({{e, 0, 0}, {0, e, 0}, {-e, -e, 0}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}},
+              {{0, 3, 1}, {1, 3, 4}, {1, 4, 2}, {2, 4, 5}, {2, 5, 0}, {0, 5, 3}});
+  const auto disk = repaired(ring, {.weld = 0});
+  CHECK(disk.mesh.vertex_count() == 4);
+  CHECK(topology_of(disk.mesh)[0].loops == 1);
 }
 
 TEST_CASE("nearly equal points are welded when asked") {
