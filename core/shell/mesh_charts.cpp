@@ -16,10 +16,26 @@ constexpr const char* no_plane = "The triangles there cannot be laid out flat.";
 }  // namespace
 
 std::string chart_words(const Error& error) {
-  if (error.where.loop != none)
-    return "Laid out flat, its border meets itself. Try a smaller size.";
-  if (error.where.has_point) return "Laid out flat, it gets no convex quads. Try a smaller size.";
-  return error.message;
+  switch (error.code) {
+    case ErrorCode::odd_boundary:
+      return "Laid out flat, its border keeps an odd number of edges, and a mesh of quads alone "
+             "needs an even one. Try another size.";
+    case ErrorCode::lost_precision:
+      return "Its coordinates are too coarse for so small a size. Try a larger size.";
+    case ErrorCode::bad_size:
+    case ErrorCode::bad_option:
+    case ErrorCode::non_finite: return "Laid out flat, it gets no usable sizes. Try another size.";
+    case ErrorCode::too_many_elements:
+    case ErrorCode::too_large:
+    case ErrorCode::out_of_memory:
+    case ErrorCode::cancelled: return error.message;
+    default: break;
+  }
+  if (error.where.loop == none && error.where.has_point)
+    return "Laid out flat, it gets no convex quads. Try a smaller size.";
+  if (error.where.loop == none && error.code == ErrorCode::no_valid_mesh)
+    return "Laid out flat, it gets no valid mesh. Try a smaller size.";
+  return "Laid out flat, its border meets itself. Try a smaller size.";
 }
 
 ChartsMesher::ChartsMesher(const Charted& charted, const Options& options, PlaneMeshes& made)

@@ -120,6 +120,16 @@ TEST_CASE("errors of charts speak of the surface, not of loops in the plane") {
       CHECK(words.find(plane) == std::string::npos);
     CHECK(words.find("smaller size") != std::string::npos);
   }
+  // No option of domains, and no number of the plane.
+  for (const ErrorCode code : {ErrorCode::odd_boundary, ErrorCode::lost_precision,
+                               ErrorCode::bad_size, ErrorCode::touching, ErrorCode::zero_area,
+                               ErrorCode::too_few_points, ErrorCode::no_valid_mesh}) {
+    const std::string words =
+        chart_words({code, "The domain has 237 boundary edges (--allow-added-point).", {}});
+    for (const char* plane : {"--", "domain", "boundary", "237"})
+      CHECK(words.find(plane) == std::string::npos);
+    CHECK(words.find(" size") != std::string::npos);
+  }
   const Error plain{ErrorCode::too_many_elements, "About 5 elements would be needed.", {}};
   CHECK(chart_words(plain) == plain.message);
 }
