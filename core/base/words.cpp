@@ -18,7 +18,7 @@ std::string place_in_space(double x, double y, double z) {
 
 Error too_many_elements(double needed, double limit) {
   return {ErrorCode::too_many_elements,
-          "About " + short_number(std::min(needed, 1e300)) +
+          "About " + short_number(std::min(1e300, needed)) +
               " elements would be needed, more than the limit of " +
               std::to_string(static_cast<long long>(limit)) +
               ". Use a larger size or raise maxElements.",

@@ -128,7 +128,7 @@ class SurfaceMesher::Run {
     if (options_.quads > 0)
       if (auto failure = size_by_count(h)) return failure;
     const double quads = surface_capacity(surface(), size_);
-    if (quads > options_.max_elements) return too_many_elements(quads, options_.max_elements);
+    if (!(quads <= options_.max_elements)) return too_many_elements(quads, options_.max_elements);
     return std::nullopt;
   }
 
@@ -219,8 +219,8 @@ class SurfaceMesher::Run {
       return std::nullopt;
     }
     if (seams_->step()) return std::nullopt;
-    outcome_.report.seams = seams_->stats();
-    improve(seams_->take());
+    const SeamStats stats = seams_->stats();
+    if (improve(seams_->take())) outcome_.report.seams = stats;
     seams_.reset();
     stage_ = SurfaceStage::shape;
     return std::nullopt;
@@ -234,8 +234,8 @@ class SurfaceMesher::Run {
         return std::nullopt;
       }
       if (shape_->step()) return std::nullopt;
-      outcome_.report.shape = shape_->stats();
-      improve(shape_->take(), at_the_end);
+      const ShapeStats stats = shape_->stats();
+      if (improve(shape_->take(), at_the_end)) outcome_.report.shape = stats;
       shape_.reset();
     }
     return sum_up();
@@ -249,9 +249,11 @@ class SurfaceMesher::Run {
   }
 
   /// The mesh of the charts is valid: one that is not does not take its place.
-  void improve(ShellMesh mesh, const Parting& parting = {}) {
+  bool improve(ShellMesh mesh, const Parting& parting = {}) {
     part_vertices(surface(), mesh, parting);
-    if (check_shell(surface(), mesh, 1).empty()) outcome_.mesh = std::move(mesh);
+    const bool is_valid = check_shell(surface(), mesh, 1).empty();
+    if (is_valid) outcome_.mesh = std::move(mesh);
+    return is_valid;
   }
 
   SmoothOptions shape_options() const {
