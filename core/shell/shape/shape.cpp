@@ -140,7 +140,8 @@ class ShapeFinisher::Run {
       case Part::patches: return mender_->smooth_next() || begin_tips();
       case Part::tips: return tips_->step() || begin_poor();
       case Part::poor: return mender_->mend_next(poor, false) || end_poor();
-      case Part::tips_again: return tips_->step() || finish();
+      case Part::tips_again: return tips_->step() || end_tips();
+      case Part::sides: return sides_->step() || finish();
       case Part::done: break;
     }
     return false;
@@ -154,6 +155,7 @@ class ShapeFinisher::Run {
       case Part::tips: return 0.8;
       case Part::poor: return 0.8 + 0.15 * mender_->share();
       case Part::tips_again: return 0.95;
+      case Part::sides: return 0.99;
       case Part::done: break;
     }
     return 1;
@@ -162,7 +164,7 @@ class ShapeFinisher::Run {
   ShellMesh take() { return std::move(mesh_); }
 
  private:
-  enum class Part { flat, descent, patches, tips, poor, tips_again, done };
+  enum class Part { flat, descent, patches, tips, poor, tips_again, sides, done };
 
   bool end_flat() {
     stats_.refilled += mender_->stats().refilled;
@@ -206,10 +208,15 @@ class ShapeFinisher::Run {
     return true;
   }
 
-  bool finish() {
+  bool end_tips() {
     stats_.reached += tips_->reached();
     tips_.reset();
-    lengthen_sides(ground_, options_, mesh_, roles_);
+    sides_.emplace(ground_, options_, mesh_, roles_);
+    part_ = Part::sides;
+    return true;
+  }
+
+  bool finish() {
     stats_.tangled_after = count_tangled(ground_, mesh_);
     part_ = Part::done;
     return false;
@@ -223,6 +230,7 @@ class ShapeFinisher::Run {
   std::optional<Mender> mender_;         // of the part that mends or smooths patches
   std::optional<WholeDescent> descent_;  // of the part between
   std::optional<TipReacher> tips_;       // of the parts for tips
+  std::optional<SideLengthener> sides_;  // of the last part
   Part part_ = Part::flat;
   ShapeStats stats_;
 };

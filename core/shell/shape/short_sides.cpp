@@ -48,18 +48,18 @@ bool has_short_side(const ShellMesh& mesh, Index f, double share) {
   return sides.least < share * share * sides.most;
 }
 
-Index lengthen_sides(const ShapeGround& ground, const SmoothOptions& options, ShellMesh& mesh,
-                     std::vector<VertexRole>& roles) {
-  const FaceStars stars(mesh);
-  Index places = 0;
-  for (Index f = 0; f < static_cast<Index>(mesh.faces.size()); ++f) {
-    if (corner_count(mesh.faces[f]) < 4 || !has_short_side(mesh, f, short_share)) continue;
-    ShapePatch patch = take_patch(mesh, roles, stars, faces_around(mesh, stars, f, rings));
-    if (!lengthen(ground, options, patch)) continue;
-    put_back(patch, mesh, roles);
-    ++places;
+bool SideLengthener::step() {
+  const auto count = static_cast<Index>(mesh_.faces.size());
+  while (next_ < count &&
+         (corner_count(mesh_.faces[next_]) < 4 || !has_short_side(mesh_, next_, short_share)))
+    ++next_;
+  if (next_ == count) return false;
+  ShapePatch patch = take_patch(mesh_, roles_, stars_, faces_around(mesh_, stars_, next_++, rings));
+  if (lengthen(ground_, options_, patch)) {
+    put_back(patch, mesh_, roles_);
+    ++places_;
   }
-  return places;
+  return true;
 }
 
 }  // namespace lpq

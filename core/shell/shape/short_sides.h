@@ -13,8 +13,25 @@ bool has_short_side(const ShellMesh& mesh, Index f, double share);
 /// their mean ratios are best, which see sides as well as angles. Only where the surface bends
 /// little and no quad is tangled, if all such sides there grow to that length, and no quad gets
 /// poor or worse than the worst one was: in a strip that is narrow for the size they cannot.
-/// Returns in how many places. Cost O(1) for each such quad, beside O(#F).
-Index lengthen_sides(const ShapeGround& ground, const SmoothOptions& options, ShellMesh& mesh,
-                     std::vector<VertexRole>& roles);
+/// Cost O(1) for each such quad, beside O(#F). All that is given must stay until the end.
+class SideLengthener {
+ public:
+  SideLengthener(const ShapeGround& ground, const SmoothOptions& options, ShellMesh& mesh,
+                 std::vector<VertexRole>& roles)
+      : ground_(ground), options_(options), mesh_(mesh), roles_(roles), stars_(mesh) {}
+
+  /// The next of these quads; false if there is none.
+  bool step();
+  Index places() const { return places_; }  // where sides grew
+
+ private:
+  const ShapeGround& ground_;
+  const SmoothOptions& options_;
+  ShellMesh& mesh_;
+  std::vector<VertexRole>& roles_;
+  const FaceStars stars_;
+  Index next_ = 0;  // face
+  Index places_ = 0;
+};
 
 }  // namespace lpq
