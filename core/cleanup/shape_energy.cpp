@@ -115,7 +115,7 @@ Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
   // d sum / d alpha_k = slope power_k: an angle enters its deviation with factor 2 / pi.
   const double slope = (1 + 2 * options.floor_weight * excess) * (e / total) * (2 / pi);
   const double size_weight = share * options.size_weight;
-  std::array<double, N> turn, stretch, misfit, damping;
+  std::array<double, N> turn, stretch, misfit, damping, shortness;
   for (int k = 0; k < N; ++k) {
     const double inverse = 1 / corners.squared[k], s = corners.squared[k] * unit;
     const double inverse_s = inverse / unit;
@@ -124,7 +124,14 @@ Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
     turn[k] = slope * (power[(k + 1) % N] - power[k]) * inverse;
     stretch[k] = 2 * size_weight * unit * (1 - inverse_s * inverse_s) * damping[k] * damping[k];
   }
-  for (int k = 0; k < N; ++k) sum += size_weight * misfit[k] * damping[k];
+  for (int k = 0; k < N; ++k) {
+    const double s = std::min(1.0, corners.squared[k] * unit / least_square), inverse_s = 1 / s;
+    const double missed = s + inverse_s - 2, damped = 1 / (1 + missed / saturation_of_least);
+    shortness[k] = missed * damped;
+    stretch[k] +=
+        2 * size_weight * (unit / least_square) * (1 - inverse_s * inverse_s) * damped * damped;
+  }
+  for (int k = 0; k < N; ++k) sum += size_weight * (misfit[k] * damping[k] + shortness[k]);
   if (N == 4 && !(pull == Vec2{0, 0}))
     for (int k = 0; k < N; ++k) {
       const DirectionTerm term = direction_term(corners.edge[k], corners.squared[k], pull);
