@@ -21,6 +21,7 @@ constexpr double slack = 0.005;               // of a worse one
 constexpr int most_passes = 6;                // the later ones for what the first uncovered
 // A mesh that is too coarse all over stays as it is.
 constexpr std::size_t most_tips = 1000;
+constexpr double most_faces = 0.25;  // of all, that have tips
 constexpr int most_trials = 1000;
 constexpr std::size_t places_in_a_step = 100000;
 
@@ -71,6 +72,7 @@ class TipReacher::Run {
     for (; next_ < end && tips_.size() <= most_tips; ++next_) look_at(places_[next_]);
     if (tips_.size() > most_tips) return finish();
     if (next_ < places_.size()) return true;
+    if (are_everywhere()) return finish();
     cover_.reset();
     next_ = 0;
     sort_values(tips_, [](const Tip& a, const Tip& b) {
@@ -84,6 +86,14 @@ class TipReacher::Run {
     if (mesh_.face[gap_.face] != face_[at.place.triangle]) return;
     places_at_[gap_.face].push_back(&at);
     if (gap_.distance > far_off) tips_.push_back({&at, gap_});
+  }
+
+  /// Round a thin rod every quad is a chord that cuts off more than a good quad does.
+  bool are_everywhere() const {
+    std::vector<char> has_tip(mesh_.faces.size(), 0);
+    double count = 0;
+    for (const Tip& tip : tips_) count += !std::exchange(has_tip[tip.gap.face], 1);
+    return count > most_faces * static_cast<double>(mesh_.faces.size());
   }
 
   bool end_pass() {

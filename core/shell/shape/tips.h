@@ -10,9 +10,10 @@ namespace lpq {
 
 /// Where a place of the surface (cover.h) lies far from the mesh for the size of the quads there, a
 /// free vertex of the nearest quad is put on it and kept, and those around it move to where they
-/// are best; unless that tangles quads, leaves poor ones, or uncovers more than it covers. Cost
-/// O(log #F) for each place, and some patches' descents for each tip. All that is given must stay
-/// until the end.
+/// are best; unless that tangles quads, leaves poor ones, or uncovers more than it covers. Where
+/// more than a quarter of the quads have such places, the mesh is too coarse all over and stays as
+/// it is. Cost O(log #F) for each place, and some patches' descents for each tip. All that is given
+/// must stay until the end.
 class TipReacher {
  public:
   TipReacher(const Charted& charted, const ShapeGround& ground, const SmoothOptions& options,
