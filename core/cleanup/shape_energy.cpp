@@ -85,6 +85,21 @@ DirectionTerm direction_term(Vec2 edge, double squared, Vec2 pull) {
   return {length(pull) - turned.x, 4 * turned.y};
 }
 
+// The second length term (corner_terms.h), per side; its derivatives are added to `stretch`.
+template <int N>
+std::array<double, N> least_length_term(const std::array<double, N>& squared, double unit,
+                                        double weight, std::array<double, N>& stretch) {
+  std::array<double, N> term{};
+  if (*std::min_element(squared.begin(), squared.end()) * unit >= least_square) return term;
+  for (int k = 0; k < N; ++k) {
+    const double s = std::min(1.0, squared[k] * unit / least_square), inverse = 1 / s;
+    const double missed = s + inverse - 2, damped = 1 / (1 + missed / saturation_of_least);
+    term[k] = missed * damped;
+    stretch[k] += 2 * weight * (unit / least_square) * (1 - inverse * inverse) * damped * damped;
+  }
+  return term;
+}
+
 template <int N>
 Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit, double share,
                     Vec2 pull, const EtaEnergyOptions& options, std::span<Vec2> gradient) {
@@ -115,7 +130,7 @@ Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
   // d sum / d alpha_k = slope power_k: an angle enters its deviation with factor 2 / pi.
   const double slope = (1 + 2 * options.floor_weight * excess) * (e / total) * (2 / pi);
   const double size_weight = share * options.size_weight;
-  std::array<double, N> turn, stretch, misfit, damping, shortness;
+  std::array<double, N> turn, stretch, misfit, damping;
   for (int k = 0; k < N; ++k) {
     const double inverse = 1 / corners.squared[k], s = corners.squared[k] * unit;
     const double inverse_s = inverse / unit;
@@ -124,13 +139,8 @@ Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
     turn[k] = slope * (power[(k + 1) % N] - power[k]) * inverse;
     stretch[k] = 2 * size_weight * unit * (1 - inverse_s * inverse_s) * damping[k] * damping[k];
   }
-  for (int k = 0; k < N; ++k) {
-    const double s = std::min(1.0, corners.squared[k] * unit / least_square), inverse_s = 1 / s;
-    const double missed = s + inverse_s - 2, damped = 1 / (1 + missed / saturation_of_least);
-    shortness[k] = missed * damped;
-    stretch[k] +=
-        2 * size_weight * (unit / least_square) * (1 - inverse_s * inverse_s) * damped * damped;
-  }
+  const std::array<double, N> shortness =
+      least_length_term<N>(corners.squared, unit, size_weight, stretch);
   for (int k = 0; k < N; ++k) sum += size_weight * (misfit[k] * damping[k] + shortness[k]);
   if (N == 4 && !(pull == Vec2{0, 0}))
     for (int k = 0; k < N; ++k) {
