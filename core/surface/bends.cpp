@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <set>
 #include <vector>
 
 #include "base/sort_numbers.h"
@@ -88,22 +87,22 @@ class BendFinder {
     sort_values(bends, [](const Bend& a, const Bend& b) {
       return a.depth != b.depth ? a.depth > b.depth : a.at < b.at;
     });
-    std::set<double> taken;
+    std::vector<double> taken;  // ascending
     for (const Bend& bend : bends) {
       const double whole = loop ? line.length() : std::numeric_limits<double>::infinity();
       if (!taken.empty() && distance_to(taken, bend.at, whole) < apart * size_[bend.vertex])
         continue;
-      taken.insert(bend.at);
+      taken.insert(std::lower_bound(taken.begin(), taken.end(), bend.at), bend.at);
       features_.corner[bend.vertex] = 1;
     }
   }
 
   /// Least distance of s from those taken, on a line that closes after `whole`: on the way round
   /// the first and the last are nearest.
-  static double distance_to(const std::set<double>& taken, double s, double whole) {
-    const double far = std::max(std::abs(s - *taken.begin()), std::abs(s - *taken.rbegin()));
+  static double distance_to(const std::vector<double>& taken, double s, double whole) {
+    const double far = std::max(std::abs(s - taken.front()), std::abs(s - taken.back()));
     double least = whole - far;
-    const auto next = taken.lower_bound(s);
+    const auto next = std::lower_bound(taken.begin(), taken.end(), s);
     if (next != taken.end()) least = std::min(least, *next - s);
     if (next != taken.begin()) least = std::min(least, s - *std::prev(next));
     return least;
