@@ -18,8 +18,7 @@ constexpr const char* no_plane = "The triangles there cannot be laid out flat.";
 std::string chart_words(const Error& error) {
   switch (error.code) {
     case ErrorCode::odd_boundary:
-      return "Laid out flat, its border keeps an odd number of edges, and a mesh of quads alone "
-             "needs an even one. Try another size.";
+      return "Laid out flat, its border keeps an odd number of edges. Try another size.";
     case ErrorCode::lost_precision:
       return "Its coordinates are too coarse for so small a size. Try a larger size.";
     case ErrorCode::bad_size:
