@@ -383,14 +383,6 @@ TEST_CASE("tips that the mesh cuts off are reached") {
   CHECK(is_on_surface(meshed));
 }
 
-TEST_CASE("where every quad cuts off what is round there are no tips to reach") {
-  for (const double h : {1.0, 1.2}) {
-    const ShellOutcome outcome = *mesh_surface(soup_of(sphere(12)), {.size = h});
-    CHECK(outcome.report.shape.reached == 0);
-    CHECK(shell_quality(outcome.mesh).eta_min > 0.9);
-  }
-}
-
 TEST_CASE("acute corners of noise move along a crease, those of clean creases stay") {
   constexpr double h = 0.1;
   for (const double roughness : {0.0, 0.016}) {
