@@ -16,10 +16,6 @@ inline constexpr double least_corner = 1e-9;
 inline constexpr double saturation = 16;
 // Much later for short ones: a quad with one side next to nothing is a triangle, of a fair eta.
 inline constexpr double saturation_of_short = 256;
-// That alone would let a side vanish where angles gain by it. Sides below a tenth of the size (of
-// squares: a hundredth) have a second length term, which aims at that tenth and levels off near a
-// thousandth of the size: a hill that no angles of two quads are worth.
-inline constexpr double least_square = 0.01, saturation_of_least = 5e3;
 
 // atan(t) for |t| <= 1, error below 3e-10: Chebyshev interpolation of atan(t)/t in t^2. N at once:
 // the loops over corners are what compilers turn into vector instructions.

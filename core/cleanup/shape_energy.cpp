@@ -85,21 +85,6 @@ DirectionTerm direction_term(Vec2 edge, double squared, Vec2 pull) {
   return {length(pull) - turned.x, 4 * turned.y};
 }
 
-// The second length term (corner_terms.h), per side; its derivatives are added to `stretch`.
-template <int N>
-std::array<double, N> least_length_term(const std::array<double, N>& squared, double unit,
-                                        double weight, std::array<double, N>& stretch) {
-  std::array<double, N> term{};
-  if (*std::min_element(squared.begin(), squared.end()) * unit >= least_square) return term;
-  for (int k = 0; k < N; ++k) {
-    const double s = std::min(1.0, squared[k] * unit / least_square), inverse = 1 / s;
-    const double missed = s + inverse - 2, damped = 1 / (1 + missed / saturation_of_least);
-    term[k] = missed * damped;
-    stretch[k] += 2 * weight * (unit / least_square) * (1 - inverse * inverse) * damped * damped;
-  }
-  return term;
-}
-
 template <int N>
 Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit, double share,
                     Vec2 pull, const EtaEnergyOptions& options, std::span<Vec2> gradient) {
@@ -139,9 +124,7 @@ Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
     turn[k] = slope * (power[(k + 1) % N] - power[k]) * inverse;
     stretch[k] = 2 * size_weight * unit * (1 - inverse_s * inverse_s) * damping[k] * damping[k];
   }
-  const std::array<double, N> shortness =
-      least_length_term<N>(corners.squared, unit, size_weight, stretch);
-  for (int k = 0; k < N; ++k) sum += size_weight * (misfit[k] * damping[k] + shortness[k]);
+  for (int k = 0; k < N; ++k) sum += size_weight * misfit[k] * damping[k];
   if (N == 4 && !(pull == Vec2{0, 0}))
     for (int k = 0; k < N; ++k) {
       const DirectionTerm term = direction_term(corners.edge[k], corners.squared[k], pull);

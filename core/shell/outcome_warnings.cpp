@@ -36,7 +36,7 @@ void warn_of_quads(ShellOutcome& outcome, ErrorCode code, const std::string& wha
   warn_of_quads(outcome, code, what, remedy, count, first);
 }
 
-/// Where the surface has narrow strips and folds, mostly.
+/// Of narrow strips and folds of the surface, mostly.
 void warn_of_thin_quads(ShellOutcome& outcome) {
   constexpr double thin = 0.02, vanished = 0.01;  // eta; of the longest side
   const ShellMesh& mesh = outcome.mesh;
@@ -45,8 +45,8 @@ void warn_of_thin_quads(ShellOutcome& outcome) {
     return quad_eta(a, b, c, d) < thin && !has_reflex_corner(a, b, c, d);
   };
   const std::string remedy =
-      "What the surface has there, such as a narrow strip, a fold or a sharp corner, may be small "
-      "for the size: use a smaller size there, or mend the surface.";
+      "The surface has a strip or a fold there that is narrow for the size. Mend it, or use a "
+      "smaller size.";
   warn_of_quads(outcome, ErrorCode::bad_size,
                 "Quads with hardly any area (eta below " + short_number(thin) + ")", remedy,
                 is_thin);

@@ -60,13 +60,6 @@ Term misfit_term(double s, double levels_off) {
   return {misfit * damping, (1 - inverse * inverse) * damping * damping};
 }
 
-Term length_term(double s) {
-  const Term term = misfit_term(s, s < 1 ? saturation_of_short : saturation);
-  if (s >= least_square) return term;
-  const Term more = misfit_term(s / least_square, saturation_of_least);
-  return {term.value + more.value, term.slope + more.slope / least_square};
-}
-
 }  // namespace
 
 Evaluation eta_energy(const Quad& p, double unit, Vec3 outside, const SpaceEtaOptions& options,
@@ -97,7 +90,8 @@ Evaluation eta_energy(const Quad& p, double unit, Vec3 outside, const SpaceEtaOp
   for (int k = 0; k < 4; ++k) {
     const int next = (k + 1) & 3;
     const Vec3 turn = power[next] * corners.area[next] - power[k] * corners.area[k];
-    const Term term = length_term(corners.squared[k] * unit);
+    const double s = corners.squared[k] * unit;
+    const Term term = misfit_term(s, s < 1 ? saturation_of_short : saturation);
     sum += options.size_weight * term.value;
     by_edge[k] = (slope / corners.squared[k]) * cross(turn, corners.edge[k]) +
                  (2 * options.size_weight * unit * term.slope) * corners.edge[k];
