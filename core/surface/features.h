@@ -43,18 +43,19 @@ struct SurfaceFeatures {
 /// `size` is the mesh size at each vertex (#V, > 0), here a quarter of the bounding diagonal of
 /// what hangs together at most. Walls are features always, group borders if asked, sharp edges by
 /// angle. Short chains of them are noise where the surface beside them is about as uneven, as it is
-/// on scans (see sharp_chains.h), and so are short pieces that become a long chain when the
-/// branches between them are gone. Chains that stand out go on, straight ahead, down to the angle's
+/// on scans (see sharp_chains.h), unless one side is flat, as beside the rim of a hole of coarse
+/// facets; and so are short pieces that become a long chain when the branches between them are
+/// gone. Chains that stand out go on, straight ahead, down to the angle's
 /// part `hysteresis` (as edges in pictures [C86]), where they still stand out then; what of them is
 /// too short for the mesh size and touches nothing hard is dropped (but neither a plain closed line
-/// of eight edges or more, the rim of a hole, nor what has no loose end and stands out, such as the
-/// edges of a square one). Triangles so flat that their normals are noise, and needles that are
-/// nothing beside the mesh, take their normals from their neighbours (normals.h). Where a chain of
-/// noise folds back along a needle it becomes one line (needles.h). Corners: where other than two
-/// features meet, where a curve turns (both at the vertex and between points half a mesh size
-/// away), in the middle of bends that are smaller than the mesh (see bends.h), where the faces
-/// along a curve change, and where sheets meet in a point only. Faces are connected across edges
-/// that are no features, numbered by first triangle. Cost O(#T log #T).
+/// of eight edges or more, the rim of a hole, or of fewer beside a flat side, nor what has no loose
+/// end and stands out, such as the edges of a square one). Triangles so flat that their normals are
+/// noise, and needles that are nothing beside the mesh, take their normals from their neighbours
+/// (normals.h). Where a chain of noise folds back along a needle it becomes one line (needles.h).
+/// Corners: where other than two features meet, where a curve turns (both at the vertex and between
+/// points half a mesh size away), in the middle of bends that are smaller than the mesh (see
+/// bends.h), where the faces along a curve change, and where sheets meet in a point only. Faces are
+/// connected across edges that are no features, numbered by first triangle. Cost O(#T log #T).
 SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> size,
                               const FeatureOptions& options = {});
 

@@ -8,6 +8,12 @@ namespace {
 // Of the bend of a chain: how uneven the surface beside a crease may be. Machined parts, with flat
 // or evenly round faces, have 0.1 and less; scans mostly 0.3 and more.
 constexpr double uneven = 0.2;
+// The same beside a side that is flat, but for what rounding leaves.
+constexpr double flat = 0.02;
+// How many sides of triangles say whether it is: as many as are looked at where the triangles along
+// the chain have fewer, and the fewest that are enough, which a hexagon has inside. Fewer are flat
+// by chance, such as the diagonals of quads. Sides that are features are not counted.
+constexpr double sides_seen = 16, fewest_sides = 6;
 // Cosine of the turn with which what is left at a junction is one chain.
 constexpr double straight_on = 0.5;
 
@@ -20,7 +26,8 @@ bool Unevenness::is_beyond(double most) const {
 
 SharpChains::SharpChains(const SurfaceMesh& mesh, std::span<const double> angles,
                          double sharp_angle, SurfaceFeatures& features)
-    : edges_(features.edges),
+    : mesh_(mesh),
+      edges_(features.edges),
       points_(mesh.points),
       angles_(angles),
       sharp_angle_(sharp_angle),
@@ -103,6 +110,63 @@ bool SharpChains::is_rough(const SharpChain& chain, bool may_fade) const {
       ++around.beside;
     }
   return around.is_beyond(uneven);
+}
+
+std::vector<Index> SharpChains::triangles_beside(const SharpChain& chain, bool left) const {
+  std::vector<Index> triangles;
+  for (std::size_t k = 0; k < chain.edges.size(); ++k)
+    for (const Index e : edges_.half_edges.row(chain.edges[k]))
+      if ((mesh_.origin(e) == chain.vertices[k]) == left) triangles.push_back(triangle_of(e));
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  return triangles;
+}
+
+/// Looks at their sides, and on from there to the nearest others.
+bool SharpChains::is_flat_from(std::vector<Index> triangles, Unevenness around) const {
+  const auto for_each_open_side = [&](Index t, auto&& visit) {
+    for (Index e = 3 * t; e < 3 * t + 3; ++e)
+      if (const Index i = edges_.edge_of[e]; !features_.is_feature(i)) visit(e, i);
+  };
+  const auto add = [&](Index t) {
+    for_each_open_side(t, [&](Index, Index i) {
+      around.squares += angles_[i] * angles_[i];
+      ++around.beside;
+    });
+  };
+  for (const Index t : triangles) add(t);
+  for (std::size_t n = 0; n < triangles.size() && around.beside < sides_seen; ++n)
+    for_each_open_side(triangles[n], [&](Index e, Index) {
+      const Index t = triangle_of(mesh_.twins[e]);
+      if (std::find(triangles.begin(), triangles.end(), t) != triangles.end()) return;
+      triangles.push_back(t);
+      add(t);
+    });
+  return around.beside >= fewest_sides && !around.is_beyond(flat);
+}
+
+/// A bump of one vertex, seen from its foot.
+bool SharpChains::is_around_vertex(const SharpChain& chain, bool left) const {
+  if (!chain.is_closed()) return false;
+  Index apex = none;
+  for (std::size_t k = 0; k < chain.edges.size(); ++k)
+    for (const Index e : edges_.half_edges.row(chain.edges[k])) {
+      if ((mesh_.origin(e) == chain.vertices[k]) != left) continue;
+      const Index v = mesh_.origin(prev_in_triangle(e));
+      if (apex != none && v != apex) return false;
+      apex = v;
+    }
+  return true;
+}
+
+bool SharpChains::has_flat_side(const SharpChain& chain) const {
+  Unevenness around;
+  for (const Index edge : chain.edges) around.bend += angles_[edge];
+  around.on = static_cast<double>(chain.edges.size());
+  const auto is_flat = [&](bool left) {
+    return !is_around_vertex(chain, !left) && is_flat_from(triangles_beside(chain, left), around);
+  };
+  return is_flat(true) || is_flat(false);
 }
 
 }  // namespace lpq

@@ -44,12 +44,20 @@ class SharpChains {
 
   /// A chain that may fade is not judged by the edges straight ahead of its ends.
   bool is_rough(const SharpChain& chain, bool may_fade) const;
+  /// Whether one side of it is flat as far as one sees from there, as beside the rims of holes
+  /// whose walls are coarse facets. Noise is on both sides, or is one vertex that the chain goes
+  /// around. Cost O(n log n) for n edges.
+  bool has_flat_side(const SharpChain& chain) const;
 
  private:
   void walk(SharpChain& chain) const;
   bool goes_on(Index edge, Index v, Index next) const;
   bool is_ahead(const SharpChain& chain, std::size_t k, Index edge) const;
+  std::vector<Index> triangles_beside(const SharpChain& chain, bool left) const;
+  bool is_around_vertex(const SharpChain& chain, bool left) const;
+  bool is_flat_from(std::vector<Index> triangles, Unevenness around) const;
 
+  const SurfaceMesh& mesh_;
   const SurfaceEdges& edges_;
   const std::vector<Vec3>& points_;
   std::span<const double> angles_;

@@ -62,9 +62,9 @@ class ChainFilter {
   /// Takes off its edges those that stay. Noise joins up where its side branches are gone: of a
   /// rough chain only what was long enough before.
   void keep_sound(SharpChain& chain) const {
-    const bool rough = chains_.is_rough(chain, false);
+    const bool sound = !chains_.is_rough(chain, false) || chains_.has_flat_side(chain);
     std::erase_if(chain.edges,
-                  [&](Index i) { return !rough || length_at_first_[i] >= options_.shortest; });
+                  [&](Index i) { return sound || length_at_first_[i] >= options_.shortest; });
   }
 
   /// What has become a loose end.
@@ -109,12 +109,13 @@ struct Heap {
   double sizes = 0;   // sum over its edge ends
   double length = 0;  // twice
   Index ends = 0;
+  Index beside_flat = 0;  // edges on chains with a flat side
   Unevenness around;
   bool hard = false, loose = false, branched = false;
 };
 
 // Noise goes around a triangle or around a vertex and its six or so neighbours; a plain loop of
-// more edges, however small, is the rim of a hole.
+// more edges, however small, is the rim of a hole, and so are more edges beside flat sides.
 constexpr Index fewest_of_rim = 8;
 // Of the bend: how uneven the faces may be in which smaller things stay, such as square holes.
 constexpr double uneven = 0.02;
@@ -143,9 +144,9 @@ class HeapFilter {
       for (const Index v : features_.edges.ends[i]) gather(v, i, valence[v]);
     });
     look_beside(valence);
+    look_for_flat_sides();
     for_each_feature([&](Index i) {
-      if (is_noise(heaps_[sets_.root(features_.edges.ends[i][0])]))
-        features_.kind[i] = FeatureKind::smooth;
+      if (is_noise(heap_of(i))) features_.kind[i] = FeatureKind::smooth;
     });
   }
 
@@ -155,6 +156,8 @@ class HeapFilter {
     for (Index i = 0; i < features_.edges.count(); ++i)
       if (features_.is_feature(i)) visit(i);
   }
+
+  Heap& heap_of(Index edge) { return heaps_[sets_.root(features_.edges.ends[edge][0])]; }
 
   void gather(Index v, Index edge, Index valence) {
     Heap& heap = heaps_[sets_.root(v)];
@@ -181,9 +184,27 @@ class HeapFilter {
       }
   }
 
+  /// Of those that are noise but for that.
+  void look_for_flat_sides() {
+    const SharpChains chains(mesh_, angles_, options_.angle, features_);
+    std::vector<char> seen(features_.kind.size());
+    for_each_feature([&](Index i) {
+      Heap& heap = heap_of(i);
+      if (seen[i] || !is_noise(heap)) return;
+      const SharpChain chain = chains.through(i);
+      for (const Index edge : chain.edges) seen[edge] = 1;
+      if (chains.has_flat_side(chain)) heap.beside_flat += static_cast<Index>(chain.edges.size());
+    });
+  }
+
+  static bool has_rim(const Heap& heap) {
+    if (heap.branched) return heap.beside_flat >= fewest_of_rim;
+    if (heap.loose) return false;
+    return heap.beside_flat > 0 || heap.ends >= 2 * fewest_of_rim;
+  }
+
   bool is_noise(const Heap& heap) const {
-    if (heap.hard) return false;
-    if (!heap.loose && !heap.branched && heap.ends >= 2 * fewest_of_rim) return false;
+    if (heap.hard || has_rim(heap)) return false;
     const double size = heap.sizes / heap.ends;
     if (heap.loose) return 0.5 * heap.length < options_.shortest * size;
     return heap.around.is_beyond(uneven) && diagonal(heap.box) < options_.shortest_loop * size;

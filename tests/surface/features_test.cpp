@@ -189,6 +189,54 @@ TEST_CASE("rims of holes are kept at every size, small loops of noise are not") 
   CHECK(features_of(pit(5, 0.5, 6), 10).face_count == 1);
 }
 
+TEST_CASE("rims of holes with coarse facets are kept whole at every size and angle") {
+  // A plate with a blind hole; the points of its wall are anywhere on the round, between the rims.
+  const auto blind = [](int sides, double depth, int seed) {
+    constexpr int rows = 5;  // plate, upper rim, wall, wall, lower rim
+    const std::vector<double> turns = bumps_of(rows * sides, 0.35, seed);
+    const std::vector<double> bumps = bumps_of(rows * sides, 0.1 * depth, seed + 1);
+    SurfaceSoup soup;
+    for (int row = 0; row < rows; ++row)
+      for (int i = 0; i < sides; ++i) {
+        const bool wall = row == 2 || row == 3;
+        const int k = row * sides + i;
+        const double angle = 2 * 3.14159265358979 * (i + (wall ? turns[k] : 0)) / sides;
+        const double r = row == 0 ? 20 : 3, z = depth * std::max(row - 1, 0) / 3;
+        soup.points.push_back(
+            {r * std::cos(angle), r * std::sin(angle), -z + (wall ? bumps[k] : 0)});
+      }
+    for (Index i = 0; i < sides; ++i)
+      for (Index row = 0; row + 1 < rows; ++row) {
+        const Index j = (i + 1) % sides, a = row * sides, b = a + sides;
+        soup.triangles.push_back({a + i, a + j, b + j});
+        soup.triangles.push_back({a + i, b + j, b + i});
+      }
+    const Index bottom = (rows - 1) * sides;
+    for (Index i = 1; i + 1 < sides; ++i)
+      soup.triangles.push_back({bottom, bottom + i, bottom + i + 1});
+    return mesh_of(soup);
+  };
+  for (const int sides : {6, 8, 9, 12})
+    for (const double depth : {6.0, 15.0})
+      for (const int seed : {3, 4, 5}) {
+        const SurfaceMesh mesh = blind(sides, depth, seed);
+        for (const double size : {2.0, 3.5, 4.66, 6.0, 9.0, 15.0})
+          for (const double angle : {30.0, 40.0, 50.0, 60.0}) {
+            const SurfaceFeatures features = features_of(mesh, size, {.angle = angle});
+            Index rims = 0;
+            for (Index i = 0; i < features.edges.count(); ++i) {
+              const auto& [a, b] = features.edges.ends[i];
+              const bool upper = a >= sides && b < 2 * sides, lower = a >= 4 * sides;
+              rims += features.kind[i] == FeatureKind::sharp &&
+                      mesh.points[a].z == mesh.points[b].z && (upper || lower);
+            }
+            INFO(sides << " sides, " << depth << " deep, seed " << seed << ", size " << size
+                       << ", angle " << angle);
+            CHECK(rims == 2 * sides);
+          }
+      }
+}
+
 TEST_CASE("borders between groups are kept, unless the caller says otherwise") {
   SurfaceSoup soup = sheet_soup(6, [](int, int) { return 0; });
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)
