@@ -203,15 +203,24 @@ bool ChartRounds::has_grown() const {
          nodes > some_quads + most_growth * nodes_at_first_;
 }
 
-/// Chords that cut the vertices of thin charts may cross at every size. Vertices inside are on no
-/// chord: there the mesh is free.
+/// Chords that cut the vertices of thin charts may cross at every size. Vertices inside keep sheets
+/// apart that nearly touch, but those of a surface far finer than the mesh would make it as fine.
 void ChartRounds::keep_vertices(const std::vector<Fault>& faults) {
   std::vector<char> on_line(kept_vertices_.size(), 0);
   for (Index e = 0; e < static_cast<Index>(cut_.surface.twins.size()); ++e)
     if (lines_.half_edge_is_feature(e))
       on_line[cut_.surface.origin(e)] = on_line[cut_.surface.target(e)] = 1;
+  std::vector<Index> inside;
   for (const Fault& fault : faults)
-    for (const Index v : fault.everywhere) kept_vertices_[v] = kept_vertices_[v] || on_line[v];
+    for (const Index v : fault.everywhere) {
+      if (on_line[v])
+        kept_vertices_[v] = 1;
+      else
+        inside.push_back(v);
+    }
+  sort_unique(inside);
+  if (static_cast<double>(inside.size()) > nodes_at_first_) return;
+  for (const Index v : inside) kept_vertices_[v] = 1;
 }
 
 bool ChartRounds::take_kept() {

@@ -70,7 +70,7 @@ class ChartRounds {
   std::vector<double> size_;         // #V
   double capacity_at_first_;         // quads that fit before sizes became smaller
   double nodes_at_first_ = 0;        // of the curves
-  std::vector<char> kept_vertices_;  // #V  of curves, which have nodes there
+  std::vector<char> kept_vertices_;  // #V  that have nodes
   SurfaceCurves curves_;
   CurveMesh nodes_;
   PlaneMeshes made_;

@@ -124,7 +124,7 @@ TEST_CASE("sizes become smaller near the places of faults and nowhere else") {
   for (std::size_t v = 0; v < near.size(); ++v) CHECK((now[v] < size[v]) == (near[v] == 1));
 }
 
-TEST_CASE("where a chart fails nodes come on its lines only, not all over its inside") {
+TEST_CASE("where a chart of a fine surface fails nodes come on its lines only") {
   auto mesher = SurfaceMesher::start(refined(refined(bundle(1, 60, 0.02))), {.size = 3});
   REQUIRE(mesher.has_value());
   int rounds = 0;
