@@ -131,12 +131,13 @@ async function byCommand(command, { name, file, options }, seconds) {
   return result;
 }
 
+// What the reader of a file tells is in the report of a command, in the library beside the surface.
 async function byLibrary(lpquad, { name, kind, file, domain, options }) {
   try {
-    const mesh = kind === 'surface'
-      ? await lpquad.meshSurface(await lpquad.readSurface(readFileSync(file), { name }), options)
-      : await lpquad.meshDomain(domain, options);
-    return hashes(await lpquad.writeMesh(mesh, 'msh'), mesh.report);
+    const surface = kind === 'surface' ? await lpquad.readSurface(readFileSync(file), { name }) : { warnings: [] };
+    const mesh = kind === 'surface' ? await lpquad.meshSurface(surface, options) : await lpquad.meshDomain(domain, options);
+    const warnings = [...surface.warnings, ...mesh.report.warnings];
+    return hashes(await lpquad.writeMesh(mesh, 'msh'), { ...mesh.report, warnings });
   } catch (error) {
     return `${error.code ?? ''} ${error.message}`;
   }
@@ -153,10 +154,10 @@ try {
   const lpquad = await createLpquad();
   for (const { name, kind, domain, options } of await (await fetch('cases.json')).json()) {
     try {
-      const mesh = kind === 'surface'
-        ? await lpquad.meshSurface(await lpquad.readSurface(await (await fetch('surface-' + name)).arrayBuffer(), { name }), options)
-        : lpquad.meshDomain(domain, options);
-      const { cpuSeconds, ...report } = mesh.report;
+      const surface = kind === 'surface'
+        ? await lpquad.readSurface(await (await fetch('surface-' + name)).arrayBuffer(), { name }) : { warnings: [] };
+      const mesh = kind === 'surface' ? await lpquad.meshSurface(surface, options) : lpquad.meshDomain(domain, options);
+      const { cpuSeconds, ...report } = { ...mesh.report, warnings: [...surface.warnings, ...mesh.report.warnings] };
       found[name] = (await hash(lpquad.writeMesh(mesh, 'msh'))) + ' ' + (await hash(JSON.stringify(report)));
     } catch (error) {
       found[name] = String(error);
