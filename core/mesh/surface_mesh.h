@@ -25,4 +25,10 @@ struct SurfaceMesh {
   Index apex(Index e) const { return origin(prev_in_triangle(e)); }
 };
 
+inline double triangle_area(const SurfaceMesh& mesh, Index t) {
+  const auto [a, b, c] = mesh.triangles[t];
+  const Vec3 corner = mesh.points[a];
+  return 0.5 * length(cross(mesh.points[b] - corner, mesh.points[c] - corner));
+}
+
 }  // namespace lpq

@@ -173,9 +173,7 @@ class SurfaceMesher::Run {
   double size_by_area() const {
     const double quads = options_.quads > 0 ? options_.quads : default_quads;
     double area = 0, border = 0;
-    for (const auto& [a, b, c] : surface().triangles)
-      area += 0.5 * length(cross(surface().points[b] - surface().points[a],
-                                 surface().points[c] - surface().points[a]));
+    for (Index t = 0; t < surface().triangle_count(); ++t) area += triangle_area(surface(), t);
     for (Index e = 0; e < 3 * surface().triangle_count(); ++e)
       if (surface().twins[e] == none)
         border +=

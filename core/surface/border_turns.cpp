@@ -114,6 +114,8 @@ class Turns {
         if (starts_curve) border_.sides.push_back({step.curve, {}});
         const Index now = heading + right_angles(turned * scale);
         border_.sides.back().length[direction_after(now)] += step.length;
+        border_.run[direction_after(now)] += step.edge;
+        border_.length += length(step.edge);
         starts_curve = step.ends_curve;
         if (counts(piece, k)) turned += step.turn;
       }

@@ -49,8 +49,8 @@ class BorderWalker {
       done_[e] = 1;
       BorderStep step;
       step.curve = curve_of_[features_.edges.edge_of[e]];
-      step.length = distance(mesh_.points[mesh_.origin(e)], mesh_.points[mesh_.target(e)]) /
-                    size_[step.curve];
+      step.edge = mesh_.points[mesh_.target(e)] - mesh_.points[mesh_.origin(e)];
+      step.length = length(step.edge) / size_[step.curve];
       step.ends_curve = features_.corner[mesh_.target(e)];
       double inside = 0;
       e = next_on_border(e, inside);

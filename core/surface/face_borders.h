@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/vec3.h"
 #include "surface/curves.h"
 
 namespace lpq {
@@ -28,8 +29,10 @@ struct BorderSide {
 struct FaceBorder {
   Index face = none, turns = 0;  // right angles in all, to the left
   double angle = 0;              // by which it turns, radians
+  double length = 0;             // in the unit of the surface
   std::vector<BorderSide> sides;
-  bool round = false;  // one bend all the way: does not count as turning
+  std::array<Vec3, right_angles_round> run{};  // the way made in each direction
+  bool round = false;                          // one bend all the way: does not count as turning
 };
 
 /// Goes round every border of every face. It turns where its angle is far from straight, or where a

@@ -7,6 +7,7 @@
 #include "base/sort_numbers.h"
 #include "numerics/elementary.h"
 #include "surface/face_borders.h"
+#include "surface/narrow_band.h"
 
 namespace lpq {
 namespace {
@@ -56,14 +57,14 @@ class SumMaker {
  public:
   explicit SumMaker(const SurfaceCurves& curves) : curves_(curves) {}
 
-  CountSums run(const std::vector<FaceBorder>& borders, Index face_count) {
+  CountSums run(const std::vector<FaceBorder>& borders, std::span<const double> areas) {
     sums_.bent.assign(curves_.is_loop.size(), 0);
-    std::vector<std::vector<const FaceBorder*>> of_face(face_count);
+    std::vector<std::vector<const FaceBorder*>> of_face(areas.size());
     for (const FaceBorder& border : borders) {
       of_face[border.face].push_back(&border);
       for (const BorderSide& side : border.sides) count_bent(side);
     }
-    for (const auto& around : of_face) add_face(around);
+    for (std::size_t face = 0; face < areas.size(); ++face) add_face(of_face[face], areas[face]);
     return std::move(sums_);
   }
 
@@ -78,19 +79,26 @@ class SumMaker {
     for (const double length : side.length) sums_.bent[side.curve] += rounded(length);
   }
 
-  /// How many edges more a bent side has along a direction than against it.
-  Index bent_along(Index along, const BorderSide& side) const {
-    if (is_closed(side.curve)) return 0;
+  /// The edges of a bent side in each direction; none of a closed curve.
+  std::array<Index, right_angles_round> bent_edges(const BorderSide& side) const {
     std::array<Index, right_angles_round> edges{};
+    if (is_closed(side.curve)) return edges;
     Index left = sums_.bent[side.curve];
     for (Index k = 0; k < right_angles_round; ++k) left -= edges[k] = rounded(side.length[k]);
     edges[side.main_direction()] += left;  // if the curve bends otherwise on its other side
+    return edges;
+  }
+
+  /// How many edges more a bent side has along a direction than against it.
+  Index bent_along(Index along, const BorderSide& side) const {
+    const auto edges = bent_edges(side);
     Index sum = 0;
     for (Index k = 0; k < right_angles_round; ++k) sum += sign_along(along, k) * edges[k];
     return sum;
   }
 
-  void add_face(const std::vector<const FaceBorder*>& around) {
+  void add_face(const std::vector<const FaceBorder*>& around, double area) {
+    if (const auto band = narrow_band(around, area)) return add_band(*band);
     std::vector<const FaceBorder*> others;
     bool has_outline = false;  // then all others are holes
     for (const FaceBorder* border : around) {
@@ -162,6 +170,27 @@ class SumMaker {
     }
   }
 
+  /// Rows of quads go straight across. Those that run along end at the corners of the outline: on
+  /// either side it has that many edges more than what lies opposite.
+  void add_band(const NarrowBand& band) {
+    for (Index k = 0; k < right_angles_round; ++k) {
+      add_one_way(*band.outer, k, 1);
+      add_one_way(*band.inner, direction_after(k + band.shift), -1);
+      constant_ -= 2 * band.rows;
+      end_sum(false, true);
+    }
+  }
+
+  void add_one_way(const FaceBorder& border, Index way, Index sign) {
+    for (const BorderSide& side : border.sides) {
+      if (!side.is_straight()) {
+        constant_ += sign * bent_edges(side)[way];
+      } else if (side.main_direction() == way) {
+        row_.push_back({side.curve, sign});
+      }
+    }
+  }
+
   /// Both sides of one curve add up.
   void end_sum(bool only_parity, bool across_ring = false, bool between_circles = false) {
     sort_values(row_, [](const CountTerm& a, const CountTerm& b) { return a.curve < b.curve; });
@@ -199,7 +228,10 @@ class SumMaker {
 
 CountSums side_balances(const SurfaceMesh& mesh, const SurfaceFeatures& features,
                         const SurfaceCurves& curves, std::span<const double> steps) {
-  return SumMaker(curves).run(face_borders(mesh, features, curves, steps), features.face_count);
+  std::vector<double> areas(static_cast<std::size_t>(features.face_count), 0);
+  for (Index t = 0; t < mesh.triangle_count(); ++t)
+    areas[features.face[t]] += triangle_area(mesh, t);
+  return SumMaker(curves).run(face_borders(mesh, features, curves, steps), areas);
 }
 
 }  // namespace lpq

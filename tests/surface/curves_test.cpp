@@ -91,6 +91,29 @@ SurfaceSoup slotted_ring(int slots, double outer, double inner, double depth) {
   return soup;
 }
 
+/// A rectangle with a rectangular hole, turned somehow; the hole's corners come first where `first`
+/// says so.
+SurfaceSoup frame_soup(double width, double height, double across, std::size_t first) {
+  SurfaceSoup soup;
+  const Vec3 x{0.36, 0.48, -0.8}, y{0.8, -0.6, 0};
+  for (const double in : {0.0, across})
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t corner = in > 0 ? (first + k) % 4 : k;
+      const double right = corner == 1 || corner == 2 ? width - in : in;
+      const double up = corner >= 2 ? height - in : in;
+      soup.points.push_back(right * x + up * y);
+    }
+  for (Index k = 0; k < 4; ++k) {
+    const auto inside = [&](Index corner) {
+      return static_cast<Index>(4 + (corner + 4 - static_cast<Index>(first)) % 4);
+    };
+    const Index next = (k + 1) % 4;
+    soup.triangles.push_back({k, next, inside(next)});
+    soup.triangles.push_back({k, inside(next), inside(k)});
+  }
+  return soup;
+}
+
 Index edge_count(const Curves& all, Index c) {
   return static_cast<Index>(all.nodes.nodes.row(c).size()) - 1;
 }
@@ -238,6 +261,32 @@ TEST_CASE("narrow rings have as many edges outside as inside, wide ones need not
     CHECK(edge_count(ring, 0) == edge_count(ring, 1));
     CHECK(edge_count(ring, 0) >= 6);  // even where squares would fit the size better
   }
+}
+
+TEST_CASE("round the end of a thin wall every side has what is beside it inside") {
+  Rng rng(29);
+  int with_other_wishes = 0;
+  for (int round = 0; round < 60; ++round) {
+    const double width = rng.between(20, 60), height = rng.between(20, 60);
+    const double across = rng.between(0.5, 3), h = rng.between(0.7 * across, 6 * across);
+    INFO(width << " x " << height << ", " << across << " across, size " << h);
+    if (std::abs(across / h - 0.5) < 0.02) continue;
+    const auto frame = curves_of(frame_soup(width, height, across, round % 4), h);
+    REQUIRE(frame.curves.count() == 8);
+    const std::vector<double> steps = steps_of(frame, h);
+    const auto middle = [&](Index c) {
+      const auto ends = frame.curves.vertices.row(c);
+      return 0.5 * (frame.mesh.points[ends.front()] + frame.mesh.points[ends.back()]);
+    };
+    for (Index a = 0; a < 8; ++a)
+      for (Index b = 0; b < 8; ++b) {
+        if (!(steps[a] > steps[b]) || distance(middle(a), middle(b)) > 1.001 * across) continue;
+        const Index rows = across / h > 0.5 ? 1 : 0;
+        CHECK(edge_count(frame, a) - edge_count(frame, b) == 2 * rows);
+        with_other_wishes += std::round(steps[a]) - std::round(steps[b]) != 2.0 * rows;
+      }
+  }
+  CHECK(with_other_wishes > 20);
 }
 
 TEST_CASE("a small triangular face gets more than one quad") {
