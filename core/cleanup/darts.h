@@ -1,15 +1,13 @@
 // The last resort for a quad that is not convex and whose corners cannot move: seven in its place.
 //
-//   D-------------- C      A dart A B C D with its reflex (or straight) corner at D is cut from D
-//   to
-//     `.  7   .. ``/       B, but not quite straight: at a point P just beyond the middle of that
-//        `P ``    /        line, so that A B P D is strictly convex. What is left, the dart B C D
-//        P,
-//      .` |      /         is a triangle with a point on one side, nearly, and all of those have
-//      the
-//     A . |  6  /          same six strictly convex quads, but for an affine map.
-//        `.|   /
-//          B`
+//   A ---------- D ---------- C    A dart A B C D with its reflex (or straight) corner at D is cut
+//    `.           \         .'     from D to B, but not quite straight: at a point P just beyond
+//      `.    7     \  1-6 .'       the middle of that line, so that A B P D is strictly convex.
+//        `.         P   .'
+//          `.      /  .'           What is left, the dart B C D P, is a triangle with a point on
+//            `.   / .'             one side, nearly, and all of those have the same six strictly
+//              `. .'               convex quads, but for an affine map.
+//                B
 #pragma once
 
 #include "cleanup/quad_topology.h"

@@ -1,8 +1,11 @@
 // The two energies that move vertices, as kernels over flat arrays (value and gradient together):
-//   mean ratio   sum over corners of l / (2 chi) + w (chi + 1/chi) / 2, with l = (|e1|^2 +
-//   |e2|^2)/s^2,
-//                J = e1 x e2 / s^2, chi = (J + sqrt(J^2 + eps^2)) / 2   [Escobar et al. 2003]:
+//
+//   mean ratio   sum over corners of l / (2 chi) + w (chi + 1/chi) / 2 with
+//                  l   = (|e1|^2 + |e2|^2) / s^2
+//                  J   = e1 x e2 / s^2
+//                  chi = (J + sqrt(J^2 + eps^2)) / 2           [Escobar et al. 2003]
 //                finite on tangled faces for eps > 0, so it can untangle; s is the face's own size;
+//
 //   eta          sum over faces of e + g max(0, e - e0)^2 plus a length term, with e the 8-norm of
 //                the corners' angle deviations |2 alpha / pi - 1|: a smooth 1 - eta, with a soft
 //                floor that pushes the worst faces harder. Length term: m / (1 + m / 16) with

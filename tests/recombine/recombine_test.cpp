@@ -138,9 +138,9 @@ TEST_CASE("the cost adds up and the same input gives the same bits") {
 }
 
 TEST_CASE("a fan around one wall vertex needs its extra edge") {
+  // Of the triangles in a row, 1-2 3-4 5-6 merge; the extra edge 1-6 would be dearer.
   //      3---2
-  //     / \ / \ .       6 triangles in a row: 1-2 3-4 5-6 merge; the extra edge 1-6 would be
-  //     dearer.
+  //     / \ / \ .
   //    4---0---1
   const TriMesh six = half_disc(6);
   const RecombineResult even = run(six);
