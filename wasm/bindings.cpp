@@ -62,8 +62,7 @@ val mesh_packed_domain(const val& packed, const val& option_object, const val& f
 }
 
 /// What a mesh on a surface cannot be written as.
-std::optional<Error> unwritable(MeshFormat format, const MeshWriteOptions& options,
-                                const val& given) {
+Problem unwritable(MeshFormat format, const MeshWriteOptions& options, const val& given) {
   if (!is_shell_format(format))
     return Error{ErrorCode::bad_option,
                  "That format is for meshes in the plane; a mesh on a surface can be written as " +

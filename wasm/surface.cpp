@@ -3,7 +3,6 @@
 #include <emscripten/bind.h>
 
 #include <memory>
-#include <optional>
 
 #include "io/error_text.h"
 #include "io/surface_report.h"
@@ -137,7 +136,7 @@ class JsSurfaceSession {
 
   SurfaceMesher mesher_;
   int ticks_ = 0;
-  std::optional<Error> failure_;
+  Problem failure_;
 };
 
 /// {session}, whose owner is JavaScript, or {error}.

@@ -159,7 +159,7 @@ bool load_references(const CheckFiles& files, const CliStreams& streams, Referen
          load(files.surface, load_repaired, wanted.surface);
 }
 
-std::optional<Error> misuse(const CheckArgs& args) {
+Problem misuse(const CheckArgs& args) {
   if (args.inputs.empty())
     return Error{ErrorCode::bad_option, "No mesh given: lpquad check MESH.", {}};
   if (!args.files.domain.empty() && !args.files.surface.empty())
@@ -175,7 +175,7 @@ int check_command(std::span<const std::string_view> args, const CliStreams& stre
     streams.out(check_help());
     return exit_done;
   }
-  const std::optional<Error> wrong = parsed ? misuse(*parsed) : parsed.error();
+  const Problem wrong = parsed ? misuse(*parsed) : parsed.error();
   if (wrong) {
     print_error(streams, {}, *wrong);
     return exit_usage;

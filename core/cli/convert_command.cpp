@@ -19,7 +19,7 @@ namespace {
 
 Error usage(std::string message) { return {ErrorCode::bad_option, std::move(message), {}}; }
 
-std::optional<Error> misuse(const ConvertArgs& args) {
+Problem misuse(const ConvertArgs& args) {
   if (args.inputs.size() != 1)
     return usage("Give one surface: lpquad convert SURFACE -o TRIANGLES.obj.");
   if (args.files.output.empty()) return usage("Nothing to write. Give -o TRIANGLES.obj.");
@@ -71,7 +71,7 @@ int convert_command(std::span<const std::string_view> args, const CliStreams& st
     streams.out(convert_help());
     return exit_done;
   }
-  const std::optional<Error> wrong = parsed ? misuse(*parsed) : parsed.error();
+  const Problem wrong = parsed ? misuse(*parsed) : parsed.error();
   if (wrong) {
     print_error(streams, {}, *wrong);
     return exit_usage;

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <new>
-#include <optional>
 
 #include "cli/args.h"
 #include "cli/commands.h"
@@ -31,10 +30,10 @@ class Writer {
   void write(const std::string& name, const std::string& content) {
     if (!failure_) failure_ = write_file(name, content);
   }
-  const std::optional<Error>& failure() const { return failure_; }
+  const Problem& failure() const { return failure_; }
 
  private:
-  std::optional<Error> failure_;
+  Problem failure_;
 };
 
 class Run {

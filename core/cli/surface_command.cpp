@@ -15,7 +15,7 @@ namespace {
 Error usage(std::string message) { return {ErrorCode::bad_option, std::move(message), {}}; }
 
 /// What a run on a surface cannot write.
-std::optional<Error> unwritable(const RunFiles& files, const MeshArgs& args) {
+Problem unwritable(const RunFiles& files, const MeshArgs& args) {
   if (!files.stages.empty()) return usage("Option --stages is for domains in the plane.");
   if (!files.svg.empty()) return usage("Option --svg is for domains in the plane.");
   if (!files.output.empty() && !is_shell_format(files.format))
@@ -30,8 +30,7 @@ std::optional<Error> unwritable(const RunFiles& files, const MeshArgs& args) {
 
 }  // namespace
 
-std::optional<Error> misplaced_option(const RunFiles& files, const MeshArgs& args,
-                                      bool is_surface) {
+Problem misplaced_option(const RunFiles& files, const MeshArgs& args, bool is_surface) {
   for (const std::string& flag : args.given) {
     const bool of_domain = has_option(args.options, flag);
     const bool of_surface = has_option(args.surface_options, flag);

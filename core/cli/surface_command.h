@@ -1,7 +1,6 @@
 // `lpquad mesh` where the input is a surface.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "base/monitor.h"
@@ -13,7 +12,7 @@ namespace lpq {
 
 /// An option on the command line that has no meaning for this input: for domains alone, or for
 /// surfaces alone. Code bad_option.
-std::optional<Error> misplaced_option(const RunFiles& files, const MeshArgs& args, bool is_surface);
+Problem misplaced_option(const RunFiles& files, const MeshArgs& args, bool is_surface);
 
 /// Reads, meshes, writes; returns the report as text. Errors: those of the reader, of mesh_surface
 /// and of write_file.

@@ -10,7 +10,7 @@
 namespace lpq {
 namespace {
 
-std::optional<Error> triangulate_plane(std::span<const Vec2> points, WholePlane& plane) {
+Problem triangulate_plane(std::span<const Vec2> points, WholePlane& plane) {
   if (points.size() < 3) {
     Error error;
     error.code = ErrorCode::too_few_points;
@@ -24,7 +24,7 @@ std::optional<Error> triangulate_plane(std::span<const Vec2> points, WholePlane&
 }
 
 // A vertex in no triangle was carved away with the outside.
-std::optional<Error> find_unused(const TriMesh& mesh) {
+Problem find_unused(const TriMesh& mesh) {
   std::vector<char> used(mesh.points.size(), 0);
   for (const Tri& t : mesh.triangles) {
     for (const Index v : t) used[v] = 1;

@@ -50,7 +50,7 @@ class SegmentInserter {
     return e != none;
   }
 
-  std::optional<Error> insert(Index a, Index b) {
+  Problem insert(Index a, Index b) {
     if (a == b) return touching(a);
     if (mark_existing(a, b)) return std::nullopt;  // a cavity may have been filled with it
     if (auto error = open_cavity(a, b)) return error;
@@ -92,7 +92,7 @@ class SegmentInserter {
   }
 
   // Walks from a to b; collects the crossed triangles and the half-edges inside along both chains.
-  std::optional<Error> open_cavity(Index a, Index b) {
+  Problem open_cavity(Index a, Index b) {
     left_.clear();
     right_.clear();
     Index met = none;
@@ -256,8 +256,7 @@ Index find_edge(const WholePlane& plane, std::span<const Index> leaving, Index a
   return none;
 }
 
-std::optional<Error> insert_segments(WholePlane& plane, std::span<const Segment> segments,
-                                     Index fixed) {
+Problem insert_segments(WholePlane& plane, std::span<const Segment> segments, Index fixed) {
   const std::vector<Index> vertex = vertex_numbers(plane);
   SegmentInserter inserter(plane, fixed);
   std::vector<std::array<Index, 2>> missing;

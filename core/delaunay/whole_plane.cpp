@@ -182,7 +182,7 @@ Error all_collinear() {
 
 }  // namespace
 
-std::optional<Error> insert_all(WholePlane& plane, std::span<const Index> insertion) {
+Problem insert_all(WholePlane& plane, std::span<const Index> insertion) {
   LPQ_ASSERT(insertion.size() >= 3);
   const auto& p = plane.points;
   const Index a = insertion[0], b = insertion[1];

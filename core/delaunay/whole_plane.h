@@ -4,7 +4,6 @@
 // insertion, constraint insertion, carving. Vertices are numbered along a Hilbert curve.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,12 +38,11 @@ struct WholePlane {
 
 /// Delaunay triangulation of distinct points; `points` and `given` must be set, `insertion` is a
 /// permutation. Expected cost O(n log n), close to linear.
-std::optional<Error> insert_all(WholePlane& plane, std::span<const Index> insertion);
+Problem insert_all(WholePlane& plane, std::span<const Index> insertion);
 
 /// Forces the segments (in vertex numbers of the caller) and marks them as walls; the result is the
 /// constrained Delaunay triangulation. `fixed`: caller's vertices below are the boundary's.
-std::optional<Error> insert_segments(WholePlane& plane, std::span<const Segment> segments,
-                                     Index fixed);
+Problem insert_segments(WholePlane& plane, std::span<const Segment> segments, Index fixed);
 
 /// Labels triangles with the region of the segment side they are reached from, drops those of no
 /// region, cuts at walls, and numbers vertices as the caller does. The result has no points yet.

@@ -147,7 +147,7 @@ ChartRun::ChartRun(const Charted& charted, const CurveNodes& nodes, Index chart)
 }
 
 std::optional<Result<OutputMesh>> ChartRun::step(const Options& options) {
-  const std::optional<Error> failure = advance(options);
+  const Problem failure = advance(options);
   const bool is_made = !failure && mesher_->stage() == Stage::done;
   if (!failure && !is_made && !repeats_a_try()) return std::nullopt;
   if (failure) failure_ = failure;
@@ -160,7 +160,7 @@ std::optional<Result<OutputMesh>> ChartRun::step(const Options& options) {
   return Result<OutputMesh>(std::move(*failure_));
 }
 
-std::optional<Error> ChartRun::advance(const Options& options) {
+Problem ChartRun::advance(const Options& options) {
   if (!mesher_) {
     auto mesher = Mesher::start(
         domain_.input, options,

@@ -42,7 +42,7 @@ class ChartRun {
   const Mesher* mesher() const { return mesher_ ? &*mesher_ : nullptr; }
 
  private:
-  std::optional<Error> advance(const Options& options);
+  Problem advance(const Options& options);
   bool repeats_a_try();
   bool keep_better(const QuadMesh& quads, double eta_min, OutputMesh output);
   bool take(std::optional<QuadMesh> grid, const Options& options);
@@ -64,8 +64,8 @@ class ChartRun {
   bool is_matched_ = false;             // has this try?
   std::optional<Mesher> mesher_;
   std::optional<OutputMesh> best_;
-  MeshCost cost_;                 // of the best
-  std::optional<Error> failure_;  // of the last try that failed
+  MeshCost cost_;    // of the best
+  Problem failure_;  // of the last try that failed
 };
 
 }  // namespace lpq

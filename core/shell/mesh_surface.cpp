@@ -34,13 +34,13 @@ class SurfaceMesher::Run {
  public:
   explicit Run(const SurfaceOptions& options) : options_(options) {}
 
-  std::optional<Error> start(SurfaceSoup soup) {
+  Problem start(SurfaceSoup soup) {
     if (Problem range = check_ranges(options_)) return range;
     if (Problem both = judge_size_options(options_)) return both;
     return repair(std::move(soup));
   }
 
-  std::optional<Error> step() {
+  Problem step() {
     switch (stage_) {
       case SurfaceStage::features: return then(SurfaceStage::field, find_lines());
       case SurfaceStage::field: return then(SurfaceStage::charts, make_field());
@@ -93,12 +93,12 @@ class SurfaceMesher::Run {
  private:
   StageTimer timed(const char* stage) { return {outcome_.report.times, stage}; }
 
-  std::optional<Error> then(SurfaceStage next, std::optional<Error> failure) {
+  Problem then(SurfaceStage next, Problem failure) {
     if (!failure) stage_ = next;
     return failure;
   }
 
-  std::optional<Error> repair(SurfaceSoup soup) {
+  Problem repair(SurfaceSoup soup) {
     const StageTimer timer = timed("repair");
     std::vector<Warning>& warnings = outcome_.report.warnings;
     warnings = std::move(soup.warnings);
@@ -114,7 +114,7 @@ class SurfaceMesher::Run {
     return std::nullopt;
   }
 
-  std::optional<Error> find_lines() {
+  Problem find_lines() {
     const StageTimer timer = timed("features");
     double& h = outcome_.report.target_size;
     h = options_.size > 0 ? options_.size : size_by_area();
@@ -132,7 +132,7 @@ class SurfaceMesher::Run {
     return std::nullopt;
   }
 
-  std::optional<Error> lines_and_sizes(double h) {
+  Problem lines_and_sizes(double h) {
     const std::vector<double> plain(surface().points.size(), h);
     features_ = find_features(surface(), plain,
                               {.angle = options_.feature_angle, .groups = options_.keep_groups});
@@ -153,7 +153,7 @@ class SurfaceMesher::Run {
   }
 
   /// The features are those of the size that the search begins with; then those of what it finds.
-  std::optional<Error> size_by_count(double& h) {
+  Problem size_by_count(double& h) {
     const auto quads_of = [&](double size) -> Result<double> {
       const auto sizes = sizes_for(size);
       if (!sizes) return sizes.error();
@@ -181,20 +181,20 @@ class SurfaceMesher::Run {
     return std::max(std::sqrt(area / quads), border / (2 * quads));
   }
 
-  std::optional<Error> make_field() {
+  Problem make_field() {
     const StageTimer timer = timed("field");
     cross_ = solve_surface_cross(surface(), feature_);
     return std::nullopt;
   }
 
-  std::optional<Error> make_atlas() {
+  Problem make_atlas() {
     const StageTimer timer = timed("charts");
     outcome_.atlas = make_charts(surface(), feature_);
     rounds_.emplace(Cut{surface(), features_, cross_, atlas()}, std::move(size_), options_);
     return std::nullopt;
   }
 
-  std::optional<Error> mesh_more() {
+  Problem mesh_more() {
     const StageTimer timer = timed("mesh");
     if (auto error = rounds_->step()) return error;
     outcome_.report.rounds = rounds_->round();
@@ -205,12 +205,12 @@ class SurfaceMesher::Run {
   }
 
   /// The paper's chain ends where the charts are lifted.
-  std::optional<Error> finish_paper() {
+  Problem finish_paper() {
     improve(ShellMesh(outcome_.mesh));
     return sum_up();
   }
 
-  std::optional<Error> finish_seams() {
+  Problem finish_seams() {
     const StageTimer timer = timed("seams");
     if (!seams_) {
       seams_.emplace(rounds_->charted(), window_options(options_), ShellMesh(outcome_.mesh));
@@ -224,7 +224,7 @@ class SurfaceMesher::Run {
     return std::nullopt;
   }
 
-  std::optional<Error> finish_shape() {
+  Problem finish_shape() {
     {
       const StageTimer timer = timed("shape");
       if (!shape_) {
@@ -239,7 +239,7 @@ class SurfaceMesher::Run {
     return sum_up();
   }
 
-  std::optional<Error> sum_up() {
+  Problem sum_up() {
     const StageTimer timer = timed("summary");
     summarise(features_, cross_, sizes(), outcome_);
     stage_ = SurfaceStage::done;

@@ -69,7 +69,7 @@ bool ChartRounds::mesh_planes(int threads, FunctionRef<bool(Index)> keep_going) 
   return !charts_ || charts_->chart() > 0 || charts_->mesh_planes(threads, keep_going);
 }
 
-std::optional<Error> ChartRounds::step() {
+Problem ChartRounds::step() {
   if (!charts_) {
     auto problem = start_round();
     return problem && take_kept() ? std::nullopt : problem;
@@ -81,7 +81,7 @@ std::optional<Error> ChartRounds::step() {
   return end_round(std::move(made));
 }
 
-std::optional<Error> ChartRounds::start_round() {
+Problem ChartRounds::start_round() {
   mark_corners(cut_.surface, size_, FeatureOptions{}.corner_angle, lines_);
   for (std::size_t v = 0; v < lines_.corner.size(); ++v)
     lines_.corner[v] = lines_.corner[v] || cut_.features.corner[v] || kept_vertices_[v];
@@ -101,7 +101,7 @@ std::optional<Error> ChartRounds::start_round() {
   return std::nullopt;
 }
 
-std::optional<Error> ChartRounds::end_round(MeshedCharts made) {
+Problem ChartRounds::end_round(MeshedCharts made) {
   mesh_ = std::move(made.mesh);
   std::vector<Fault> faults = faults_of(made.failures);
   if (faults.empty()) faults = faults_at(check_shell(cut_.surface, mesh_, most_faults));
@@ -177,7 +177,7 @@ std::vector<Fault> ChartRounds::faults_at(const std::vector<Violation>& violatio
 }
 
 /// Another round with smaller sizes, unless there have been enough.
-std::optional<Error> ChartRounds::try_again(const std::vector<Fault>& faults) {
+Problem ChartRounds::try_again(const std::vector<Fault>& faults) {
   if (round_ == 1) divide_tips();
   if (round_ > 1) keep_vertices(faults);
   if (round_ == most_rounds || faulty_ == most_faulty || has_grown() ||

@@ -36,7 +36,7 @@ class ChartRounds {
 
   /// The curves of a round, or one step of the planar chain in one chart. Errors: those of
   /// mesh_curves, too_many_elements; no_valid_mesh with the place when there were enough rounds.
-  std::optional<Error> step();
+  Problem step();
   bool done() const { return done_; }
   /// See SurfaceMesher.
   bool mesh_planes(int threads, FunctionRef<bool(Index)> keep_going);
@@ -50,13 +50,13 @@ class ChartRounds {
   Charted charted() const;
 
  private:
-  std::optional<Error> start_round();
-  std::optional<Error> end_round(MeshedCharts made);
+  Problem start_round();
+  Problem end_round(MeshedCharts made);
   void refine_doubts();
   double add_crossings(std::vector<Fault>& doubts) const;
   std::vector<Fault> faults_of(std::vector<ChartFailure>& failures) const;
   std::vector<Fault> faults_at(const std::vector<Violation>& violations) const;
-  std::optional<Error> try_again(const std::vector<Fault>& faults);
+  Problem try_again(const std::vector<Fault>& faults);
   void divide_tips();
   void keep_vertices(const std::vector<Fault>& faults);
   bool has_grown() const;

@@ -14,9 +14,7 @@ constexpr double smallest_surface = 1e-30,
                  largest_surface = 1e30;  // sixth powers of lengths are taken
 constexpr double largest_coordinate = 1e100;
 
-using Check = std::optional<Error>;
-
-Check check_corners(const SurfaceSoup& soup, SoupExtent& extent) {
+Problem check_corners(const SurfaceSoup& soup, SoupExtent& extent) {
   const auto count = static_cast<Index>(soup.points.size());
   extent.used.assign(soup.points.size(), 0);
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)
@@ -33,8 +31,8 @@ Check check_corners(const SurfaceSoup& soup, SoupExtent& extent) {
 
 /// One label for each triangle, or none at all: below the number of names where there are any, else
 /// below that of triangles.
-Check check_labels(const char* what, const std::vector<Index>& labels, std::size_t triangles,
-                   std::size_t names) {
+Problem check_labels(const char* what, const std::vector<Index>& labels, std::size_t triangles,
+                     std::size_t names) {
   if (labels.empty()) return std::nullopt;
   if (labels.size() != triangles)
     return Error{ErrorCode::parse_error,
@@ -53,7 +51,7 @@ Check check_labels(const char* what, const std::vector<Index>& labels, std::size
   return std::nullopt;
 }
 
-Check check_sizes(const SurfaceSoup& soup) {
+Problem check_sizes(const SurfaceSoup& soup) {
   if (!soup.sizes.empty() && soup.sizes.size() != soup.points.size())
     return Error{ErrorCode::bad_size,
                  "There are " + std::to_string(soup.sizes.size()) + " sizes for " +
@@ -68,7 +66,7 @@ Check check_sizes(const SurfaceSoup& soup) {
   return std::nullopt;
 }
 
-Check check_points(const std::vector<Vec3>& points, SoupExtent& extent) {
+Problem check_points(const std::vector<Vec3>& points, SoupExtent& extent) {
   Box3 box;
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (!extent.used[v]) {
@@ -102,11 +100,11 @@ Result<SoupExtent> check_soup(const SurfaceSoup& soup) {
   const std::size_t groups = soup.group_names.size(), bodies = soup.body_names.size();
   SoupExtent extent;
   if (triangles == 0) return Error{ErrorCode::empty, "The surface has no triangle.", {}};
-  if (const Check error = check_corners(soup, extent)) return *error;
-  if (const Check error = check_labels("group", soup.group, triangles, groups)) return *error;
-  if (const Check error = check_labels("body", soup.body, triangles, bodies)) return *error;
-  if (const Check error = check_sizes(soup)) return *error;
-  if (const Check error = check_points(soup.points, extent)) return *error;
+  if (const Problem error = check_corners(soup, extent)) return *error;
+  if (const Problem error = check_labels("group", soup.group, triangles, groups)) return *error;
+  if (const Problem error = check_labels("body", soup.body, triangles, bodies)) return *error;
+  if (const Problem error = check_sizes(soup)) return *error;
+  if (const Problem error = check_points(soup.points, extent)) return *error;
   return extent;
 }
 

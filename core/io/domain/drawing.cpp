@@ -164,7 +164,7 @@ Error error_at_edge(const Drawing& drawing, Index edge, Vec2 at, std::string mes
 }
 
 /// The first two lines that cross: around them nothing can be told of what divides what.
-std::optional<Error> crossing_error(const Drawing& drawing) {
+Problem crossing_error(const Drawing& drawing) {
   const LineWork& lines = drawing.lines;
   const auto crossings = find_crossings(lines);
   if (!crossings || crossings->empty()) return std::nullopt;
