@@ -57,7 +57,7 @@ Result<Table> table_from(const val& object) {
   Table options;
   std::vector<std::string> known;
   std::string fault;
-  each_field(options, [&](const char* name, auto& member, const FieldInfo&) {
+  each_field(options, [&](const char* name, auto& member, const OptionInfo&) {
     known.push_back(name);
     const val value = object[name];
     if (value.isUndefined() || !fault.empty()) return;

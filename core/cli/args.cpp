@@ -10,12 +10,12 @@ namespace {
 
 Error usage(std::string message) { return {ErrorCode::bad_option, std::move(message), {}}; }
 
-std::string limits_text(const FieldInfo& info) {
+std::string limits_text(const OptionInfo& info) {
   return "a number between " + short_number(info.min) + " and " + short_number(info.max);
 }
 
 /// The text as a value of the member's type; returns what was expected where it is not one.
-std::string set_value(std::string& member, std::string_view text, const FieldInfo&) {
+std::string set_value(std::string& member, std::string_view text, const OptionInfo&) {
   if (text.empty()) return "a file name";
   member = text;
   return {};
@@ -23,7 +23,7 @@ std::string set_value(std::string& member, std::string_view text, const FieldInf
 
 template <class Number>
 requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>) std::string
-    set_value(Number& member, std::string_view text, const FieldInfo& info) {
+    set_value(Number& member, std::string_view text, const OptionInfo& info) {
   double number = 0;
   if (!parse_number(text, number) || !(number >= info.min && number <= info.max)) {
     return limits_text(info);
@@ -40,7 +40,7 @@ requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>) std::str
 
 template <class Choice>
 requires std::is_enum_v<Choice> std::string set_value(Choice& member, std::string_view text,
-                                                      const FieldInfo&) {
+                                                      const OptionInfo&) {
   std::string expected;
   for (std::size_t k = 0; k < ChoiceNames<Choice>::names.size(); ++k) {
     if (text == ChoiceNames<Choice>::names[k]) {
@@ -102,7 +102,7 @@ class ArgParser {
     std::vector<std::string> names{"--help"};
     // Tables may share an option; all of them get its value.
     const std::size_t value_at = next_;
-    const auto try_field = [&](const char* name, auto& member, const FieldInfo& info) {
+    const auto try_field = [&](const char* name, auto& member, const OptionInfo& info) {
       names.push_back(option_flag(name));
       const bool is_negated = negates(flag, names.back(), member);
       if (!error_.empty() || (names.back() != flag && !is_negated)) return;
@@ -126,7 +126,7 @@ class ArgParser {
   }
 
   template <class Member>
-  void set_member(const std::string& flag, bool is_on, Member& member, const FieldInfo& info) {
+  void set_member(const std::string& flag, bool is_on, Member& member, const OptionInfo& info) {
     if constexpr (std::is_same_v<Member, bool>) {
       member = is_on;
       if (has_inline_) error_ = "Option " + flag + " takes no value.";

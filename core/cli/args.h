@@ -16,8 +16,8 @@
 namespace lpq {
 
 /// Of surfaces that are repaired but not meshed.
-inline constexpr FieldInfo weld_info{0, 0.01, "",
-                                     "Points nearer than this share of the diagonal become one."};
+inline constexpr OptionInfo weld_info{0, 0.01, "",
+                                      "Points nearer than this share of the diagonal become one."};
 
 /// What `lpquad mesh` reads and writes. "" = not asked for.
 struct MeshFiles {
@@ -32,21 +32,22 @@ requires std::is_same_v<std::remove_const_t<O>, MeshFiles>
 void each_field(O& o, F&& visit) {
   static const std::string output_help =
       "The mesh: " + mesh_endings() + "; for several inputs a folder, or a name with {}.";
-  visit("output", o.output, FieldInfo{0, 0, "file", output_help.c_str()});
-  visit("svg", o.svg, FieldInfo{0, 0, "file", "A picture of the mesh (domains only)."});
+  visit("output", o.output, OptionInfo{0, 0, "file", output_help.c_str()});
+  visit("svg", o.svg, OptionInfo{0, 0, "file", "A picture of the mesh (domains only)."});
   visit("uv", o.uv,
-        FieldInfo{0, 0, "file", "The charts of a surface: an .obj with texture coordinates."});
+        OptionInfo{0, 0, "file", "The charts of a surface: an .obj with texture coordinates."});
   visit("report", o.report,
-        FieldInfo{0, 0, "file",
-                  "Counts, quality, energies and times as JSON; on failure the error."});
+        OptionInfo{0, 0, "file",
+                   "Counts, quality, energies and times as JSON; on failure the error."});
   visit("stages", o.stages,
-        FieldInfo{0, 0, "folder", "Every intermediate value of the run (domains only)."});
+        OptionInfo{0, 0, "folder", "Every intermediate value of the run (domains only)."});
   each_field(o.write, visit);
-  visit("threads", o.threads,
-        FieldInfo{0, 1024, "",
-                  "For the charts of a surface, with the same result (native program); 0 = as many "
-                  "as the machine runs at once."});
-  visit("quiet", o.quiet, FieldInfo{0, 0, "", "Print nothing but errors."});
+  visit(
+      "threads", o.threads,
+      OptionInfo{0, 1024, "",
+                 "For the charts of a surface, with the same result (native program); 0 = as many "
+                 "as the machine runs at once."});
+  visit("quiet", o.quiet, OptionInfo{0, 0, "", "Print nothing but errors."});
 }
 
 struct CheckFiles {
@@ -60,12 +61,12 @@ requires std::is_same_v<std::remove_const_t<O>, CheckFiles>
 void each_field(O& o, F&& visit) {
   visit(
       "domain", o.domain,
-      FieldInfo{0, 0, "file", "The domain it should be a mesh of: its boundary is compared too."});
+      OptionInfo{0, 0, "file", "The domain it should be a mesh of: its boundary is compared too."});
   visit("surface", o.surface,
-        FieldInfo{0, 0, "file",
-                  "The surface it should be a mesh of: topology and distances are compared."});
+        OptionInfo{0, 0, "file",
+                   "The surface it should be a mesh of: topology and distances are compared."});
   visit("weld", o.weld, weld_info);
-  visit("quiet", o.quiet, FieldInfo{0, 0, "", "Print nothing but errors."});
+  visit("quiet", o.quiet, OptionInfo{0, 0, "", "Print nothing but errors."});
 }
 
 /// What `lpquad convert` reads and writes.
@@ -79,12 +80,12 @@ struct ConvertFiles {
 template <class O, class F>
 requires std::is_same_v<std::remove_const_t<O>, ConvertFiles>
 void each_field(O& o, F&& visit) {
-  visit("output", o.output, FieldInfo{0, 0, "file", "The triangles: .obj, groups kept."});
+  visit("output", o.output, OptionInfo{0, 0, "file", "The triangles: .obj, groups kept."});
   visit("size", o.size,
-        FieldInfo{0, 1e300, "length",
-                  "Of the quads to come: triangles of CAD files are fine enough for it."});
+        OptionInfo{0, 1e300, "length",
+                   "Of the quads to come: triangles of CAD files are fine enough for it."});
   visit("weld", o.weld, weld_info);
-  visit("quiet", o.quiet, FieldInfo{0, 0, "", "Print nothing but errors."});
+  visit("quiet", o.quiet, OptionInfo{0, 0, "", "Print nothing but errors."});
 }
 
 struct ConvertArgs {
@@ -115,7 +116,7 @@ std::string option_flag(std::string_view name);
 template <class Table>
 bool has_option(const Table& table, std::string_view flag) {
   bool found = false;
-  each_field(table, [&](const char* name, const auto&, const FieldInfo&) {
+  each_field(table, [&](const char* name, const auto&, const OptionInfo&) {
     found = found || option_flag(name) == flag;
   });
   return found;

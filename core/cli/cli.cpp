@@ -35,7 +35,7 @@ bool stands_alone(std::string_view text, std::size_t at, std::size_t size) {
 /// Messages name options as libraries know them: "raise maxElements" -> "raise --max-elements".
 template <class Table>
 void name_flags(const Table& table, std::string& text) {
-  each_field(table, [&](const char* name, const auto&, const FieldInfo&) {
+  each_field(table, [&](const char* name, const auto&, const OptionInfo&) {
     const std::string_view word = name;
     if (std::none_of(word.begin(), word.end(), [](char c) { return 'A' <= c && c <= 'Z'; })) return;
     for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += word.size())

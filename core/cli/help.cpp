@@ -36,7 +36,7 @@ void append_wrapped(std::string& out, std::string_view text, std::size_t column)
 
 /// What stands after the option: "H", "4.1|2.2", nothing for a flag.
 template <class T>
-std::string value_name(const T&, const FieldInfo& info) {
+std::string value_name(const T&, const OptionInfo& info) {
   if constexpr (std::is_same_v<T, bool>) {
     return {};
   } else if constexpr (std::is_enum_v<T>) {
@@ -76,7 +76,7 @@ bool every_option(const std::string&) { return true; }
 template <class Table, class Wanted>
 void append_options(std::string& out, const Table& table, Wanted&& wanted) {
   constexpr std::size_t column = 34;
-  each_field(table, [&](const char* name, const auto& value, const FieldInfo& info) {
+  each_field(table, [&](const char* name, const auto& value, const OptionInfo& info) {
     const std::string flag = option_flag(name);
     if (!wanted(flag)) return;
     std::string head = "  " + flag_text(flag, value);
@@ -97,7 +97,7 @@ void append_options(std::string& out, const Table& table, Wanted&& wanted) {
 template <class Table>
 std::map<std::string, std::string> texts_of(const Table& table) {
   std::map<std::string, std::string> texts;
-  each_field(table, [&](const char* name, const auto& value, const FieldInfo& info) {
+  each_field(table, [&](const char* name, const auto& value, const OptionInfo& info) {
     texts[option_flag(name)] = info.help + default_text(value);
   });
   return texts;

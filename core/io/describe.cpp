@@ -12,7 +12,7 @@ namespace lpq {
 namespace {
 
 template <class T>
-void append_kind(JsonWriter& json, const T& value, const FieldInfo& info) {
+void append_kind(JsonWriter& json, const T& value, const OptionInfo& info) {
   if constexpr (std::is_same_v<T, bool>) {
     json.member("type", "boolean");
     json.member("default", value);
@@ -31,7 +31,7 @@ void append_kind(JsonWriter& json, const T& value, const FieldInfo& info) {
 template <class Table>
 void append_table(JsonWriter& json, std::string_view table, const Table& defaults) {
   json.begin_array(table);
-  each_field(defaults, [&](const char* name, const auto& value, const FieldInfo& info) {
+  each_field(defaults, [&](const char* name, const auto& value, const OptionInfo& info) {
     json.begin_object();
     json.member("name", name);
     append_kind(json, value, info);

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/fields.h"
+#include "base/option_table.h"
 #include "io/json_write.h"
 #include "mesh/quality.h"
 #include "pipeline/report.h"
@@ -27,7 +27,7 @@ void append_warnings(JsonWriter& json, const std::vector<Warning>& warnings);
 template <class Table>
 void append_options(JsonWriter& json, const Table& options) {
   json.begin_object("options");
-  each_field(options, [&](const char* name, const auto& value, const FieldInfo&) {
+  each_field(options, [&](const char* name, const auto& value, const OptionInfo&) {
     using T = std::remove_cvref_t<decltype(value)>;
     if constexpr (std::is_enum_v<T>) {
       json.member(name, choice_name(value));

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <span>
 
-#include "base/fields.h"
 #include "base/function_ref.h"
 #include "base/hash.h"
+#include "base/option_table.h"
 #include "base/words.h"
 #include "geometry/box.h"
 #include "geometry/segment.h"

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "base/fields.h"
+#include "base/option_table.h"
 #include "domain/domain.h"
 #include "geometry/vec.h"
 
@@ -79,83 +79,84 @@ Problem judge_size_options(const O& options) {
 template <class O, class F>
 void each_lp_field(O& o, F&& visit) {
   visit("effort", o.effort,
-        FieldInfo{0, 1, "",
-                  "high: irregular vertices are moved about and cancelled for much longer; in the "
-                  "plane four other sizes are tried instead of two."});
+        OptionInfo{0, 1, "",
+                   "high: irregular vertices are moved about and cancelled for much longer; in the "
+                   "plane four other sizes are tried instead of two."});
   visit(
       "seeds", o.seeds,
-      FieldInfo{
+      OptionInfo{
           0, 2, "",
           "Initial points: aligned with the cross field, isotropic, or what the method prefers."});
-  visit("norm", o.norm, FieldInfo{2, 20, "", "Exponent p of the L_p energy."});
-  visit("iterations", o.iterations,
-        FieldInfo{-1, 100000, "",
-                  "L-BFGS iterations; -1 is 80, but none for an aligned start of the best chain."});
+  visit("norm", o.norm, OptionInfo{2, 20, "", "Exponent p of the L_p energy."});
+  visit(
+      "iterations", o.iterations,
+      OptionInfo{-1, 100000, "",
+                 "L-BFGS iterations; -1 is 80, but none for an aligned start of the best chain."});
   visit(
       "restarts", o.restarts,
-      FieldInfo{-1, 1000, "",
-                "Rounds after these that insert points in gaps, remove some where they crowd, and "
-                "iterate 30 times; -1 is 10 for an isotropic start of the best chain whose "
-                "iterations are left to us, else none."});
+      OptionInfo{-1, 1000, "",
+                 "Rounds after these that insert points in gaps, remove some where they crowd, and "
+                 "iterate 30 times; -1 is 10 for an isotropic start of the best chain whose "
+                 "iterations are left to us, else none."});
 }
 
 template <class O, class F>
 requires std::is_same_v<std::remove_const_t<O>, Options>
 void each_field(O& o, F&& visit) {
   visit("size", o.size,
-        FieldInfo{0, 1e300, "length",
-                  "Target edge length; 0 takes the domain's own h (about 1000 quads where it has "
-                  "none), or the boundary's spacing when it is kept.",
-                  ErrorCode::bad_size});
+        OptionInfo{0, 1e300, "length",
+                   "Target edge length; 0 takes the domain's own h (about 1000 quads where it has "
+                   "none), or the boundary's spacing when it is kept.",
+                   ErrorCode::bad_size});
   visit("quads", o.quads,
-        FieldInfo{0, 100'000'000, "",
-                  "About how many quads, in place of a size, which is chosen for them; 0 = not "
-                  "asked."});
+        OptionInfo{0, 100'000'000, "",
+                   "About how many quads, in place of a size, which is chosen for them; 0 = not "
+                   "asked."});
   visit("keepBoundary", o.keep_boundary,
-        FieldInfo{0, 1, "", "The given points are the boundary mesh and come back bit for bit."});
+        OptionInfo{0, 1, "", "The given points are the boundary mesh and come back bit for bit."});
   visit("elements", o.elements,
-        FieldInfo{
+        OptionInfo{
             0, 2, "",
             "quad: no triangle at all; one-triangle: just one where a kept boundary has an odd "
             "count, placed where it costs least; quad-dominant: a triangle may stay where it is "
             "better."});
   visit("method", o.method,
-        FieldInfo{0, 1, "",
-                  "best: the chain of stages that measures best; paper: isotropic start, L_p, "
-                  "Blossom, smoothing."});
+        OptionInfo{0, 1, "",
+                   "best: the chain of stages that measures best; paper: isotropic start, L_p, "
+                   "Blossom, smoothing."});
   each_lp_field(o, visit);
   visit(
       "seed", o.seed,
-      FieldInfo{0, 9007199254740991.0, "",
-                "Seed of the isotropic start's jitter, and of what high effort draws at random."});
+      OptionInfo{0, 9007199254740991.0, "",
+                 "Seed of the isotropic start's jitter, and of what high effort draws at random."});
   visit("growth", o.growth,
-        FieldInfo{0, 10, "",
-                  "Largest slope of the size field; 0 is 0.08, or up to 0.3 where 0.08 would cost "
-                  "more than 5000 elements over 0.3."});
+        OptionInfo{0, 10, "",
+                   "Largest slope of the size field; 0 is 0.08, or up to 0.3 where 0.08 would cost "
+                   "more than 5000 elements over 0.3."});
   visit("simplify", o.simplify,
-        FieldInfo{0, 1e300, "length",
-                  "Boundary vertices may be dropped when the outline moves by at most this (not "
-                  "with keepBoundary)."});
+        OptionInfo{0, 1e300, "length",
+                   "Boundary vertices may be dropped when the outline moves by at most this (not "
+                   "with keepBoundary)."});
   visit(
       "allowAddedPoint", o.allow_added_point,
-      FieldInfo{
+      OptionInfo{
           0, 1, "",
           "A kept boundary with an odd count may get one added point (rather than one triangle)."});
   visit("strict", o.strict,
-        FieldInfo{0, 1, "",
-                  "Repeated consecutive points are an error instead of merged with a warning."});
+        OptionInfo{0, 1, "",
+                   "Repeated consecutive points are an error instead of merged with a warning."});
   visit("sizeWeight", o.size_weight,
-        FieldInfo{0, 10, "",
-                  "What keeping to the target size is worth beside right angles; with 0 only the "
-                  "angles count."});
+        OptionInfo{0, 10, "",
+                   "What keeping to the target size is worth beside right angles; with 0 only the "
+                   "angles count."});
   visit("smoothing", o.smoothing,
-        FieldInfo{-1, 10000, "",
-                  "Iterations of the final smoothing; -1 is 100 for the paper's chain, else 300, "
-                  "or 600 with "
-                  "high effort."});
+        OptionInfo{-1, 10000, "",
+                   "Iterations of the final smoothing; -1 is 100 for the paper's chain, else 300, "
+                   "or 600 with "
+                   "high effort."});
   visit("maxElements", o.max_elements,
-        FieldInfo{1, 100'000'000, "",
-                  "Refuse before allocating when more elements than this are expected."});
+        OptionInfo{1, 100'000'000, "",
+                   "Refuse before allocating when more elements than this are expected."});
 }
 
 }  // namespace lpq

@@ -29,37 +29,38 @@ template <class O, class F>
 requires std::is_same_v<std::remove_const_t<O>, SurfaceOptions>
 void each_field(O& o, F&& visit) {
   visit("size", o.size,
-        FieldInfo{0, 1e300, "length", "Target edge length; 0 gives about 3000 quads.",
-                  ErrorCode::bad_size});
+        OptionInfo{0, 1e300, "length", "Target edge length; 0 gives about 3000 quads.",
+                   ErrorCode::bad_size});
   visit("quads", o.quads,
-        FieldInfo{0, 100'000'000, "",
-                  "About how many quads, in place of a size, which is chosen for them; 0 = not "
-                  "asked."});
+        OptionInfo{0, 100'000'000, "",
+                   "About how many quads, in place of a size, which is chosen for them; 0 = not "
+                   "asked."});
   visit("featureAngle", o.feature_angle,
-        FieldInfo{0, 180, "degrees", "Edges that bend by more are kept as edges of the mesh."});
+        OptionInfo{0, 180, "degrees", "Edges that bend by more are kept as edges of the mesh."});
   visit("keepGroups", o.keep_groups,
-        FieldInfo{0, 1, "", "Borders between the groups of the file are kept as edges."});
+        OptionInfo{0, 1, "", "Borders between the groups of the file are kept as edges."});
   visit("turn", o.turn,
-        FieldInfo{0, 90, "degrees",
-                  "Smaller quads where the surface would turn by more over one; 0 = not asked."});
-  visit("growth", o.growth, FieldInfo{0, 10, "", "Largest slope of the size field; 0 is 0.3."});
+        OptionInfo{0, 90, "degrees",
+                   "Smaller quads where the surface would turn by more over one; 0 = not asked."});
+  visit("growth", o.growth, OptionInfo{0, 10, "", "Largest slope of the size field; 0 is 0.3."});
   visit("weld", o.weld,
-        FieldInfo{0, 0.01, "", "Points nearer than this share of the diagonal become one."});
+        OptionInfo{0, 0.01, "", "Points nearer than this share of the diagonal become one."});
   visit("method", o.method,
-        FieldInfo{0, 1, "",
-                  "best: the chain of stages that measures best; paper: isotropic start, L_p, "
-                  "Blossom, smoothing, in every chart, and nothing after."});
+        OptionInfo{0, 1, "",
+                   "best: the chain of stages that measures best; paper: isotropic start, L_p, "
+                   "Blossom, smoothing, in every chart, and nothing after."});
   each_lp_field(o, visit);
-  visit("seed", o.seed, FieldInfo{0, 9007199254740991.0, "", "Seed of random choices."});
+  visit("seed", o.seed, OptionInfo{0, 9007199254740991.0, "", "Seed of random choices."});
   visit("sizeWeight", o.size_weight,
-        FieldInfo{0, 10, "",
-                  "What keeping to the target size is worth beside right angles; with 0 only the "
-                  "angles count."});
-  visit("smoothing", o.smoothing,
-        FieldInfo{-1, 10000, "", "Iterations of the final smoothing; -1 leaves it to the mesher."});
+        OptionInfo{0, 10, "",
+                   "What keeping to the target size is worth beside right angles; with 0 only the "
+                   "angles count."});
+  visit(
+      "smoothing", o.smoothing,
+      OptionInfo{-1, 10000, "", "Iterations of the final smoothing; -1 leaves it to the mesher."});
   visit("maxElements", o.max_elements,
-        FieldInfo{1, 100'000'000, "",
-                  "Refuse before allocating when more elements than this are expected."});
+        OptionInfo{1, 100'000'000, "",
+                   "Refuse before allocating when more elements than this are expected."});
 }
 
 /// What the planar chain of one chart is asked for. Never high effort: what charts settle on the

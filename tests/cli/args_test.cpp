@@ -71,7 +71,7 @@ TEST_CASE("a size and a number of quads contradict each other before anything is
 TEST_CASE("every option of the tables is in the help and can be given") {
   const std::string help = mesh_help();
   const Options options;
-  each_field(options, [&](const char* name, const auto& value, const FieldInfo& info) {
+  each_field(options, [&](const char* name, const auto& value, const OptionInfo& info) {
     const std::string flag = option_flag(name);
     INFO(flag);
     CHECK(help.find(flag) != std::string::npos);

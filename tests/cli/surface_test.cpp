@@ -199,7 +199,7 @@ TEST_CASE("no input is overwritten") {
 TEST_CASE("options of surfaces are in the help and can be given") {
   const std::string help = run({"mesh", "--help"}).out;
   const lpq::SurfaceOptions options;
-  lpq::each_field(options, [&](const char* name, const auto&, const lpq::FieldInfo&) {
+  lpq::each_field(options, [&](const char* name, const auto&, const lpq::OptionInfo&) {
     const std::string flag = lpq::option_flag(name);
     INFO(flag);
     CHECK(contains(help, flag.substr(2)));

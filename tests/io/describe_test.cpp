@@ -20,12 +20,14 @@ TEST_CASE("the description is JSON and names every option, code and format") {
     return text.find('"' + std::string(name) + '"') != std::string::npos;
   };
   const Options options;
-  each_field(options, [&](const char* name, const auto&, const FieldInfo&) { CHECK(names(name)); });
+  each_field(options,
+             [&](const char* name, const auto&, const OptionInfo&) { CHECK(names(name)); });
   for (const MeshFormatInfo& info : mesh_formats) CHECK(names(info.name));
   for (const DomainFormatInfo& info : domain_formats) CHECK(names(info.name));
   for (const SurfaceFormatInfo& info : surface_formats) CHECK(names(info.name));
   const SurfaceOptions surface;
-  each_field(surface, [&](const char* name, const auto&, const FieldInfo&) { CHECK(names(name)); });
+  each_field(surface,
+             [&](const char* name, const auto&, const OptionInfo&) { CHECK(names(name)); });
   CHECK(names(code_name(ErrorCode::parse_error)));
   CHECK(names(code_name(ErrorCode::io_error)));
   CHECK(names(version()));

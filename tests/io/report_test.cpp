@@ -56,7 +56,7 @@ TEST_CASE("a report holds every option by name, and without times the same bytes
   CHECK(json.find("\"hash\":\"0123456789abcdef\"") != std::string::npos);
   CHECK(json.find("\"cpuSeconds\":{\"match\":0.25}") != std::string::npos);
   CHECK(json.find("\"code\":\"DUPLICATE_POINT\"") != std::string::npos);
-  each_field(options, [&](const char* name, const auto&, const FieldInfo&) {
+  each_field(options, [&](const char* name, const auto&, const OptionInfo&) {
     INFO(name);
     CHECK(json.find("\"" + std::string(name) + "\":") != std::string::npos);
   });

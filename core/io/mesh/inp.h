@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "base/fields.h"
+#include "base/option_table.h"
 #include "mesh/output_mesh.h"
 
 namespace lpq {

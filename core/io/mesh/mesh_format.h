@@ -56,10 +56,10 @@ struct MeshWriteOptions {
 template <class O, class F>
 requires std::is_same_v<std::remove_const_t<O>, MeshWriteOptions>
 void each_field(O& o, F&& visit) {
-  visit("mshVersion", o.msh_version, FieldInfo{0, 0, "", "Version of .msh files."});
+  visit("mshVersion", o.msh_version, OptionInfo{0, 0, "", "Version of .msh files."});
   visit("inpElement", o.inp_element,
-        FieldInfo{0, 0, "",
-                  "Elements of .inp files: plane stress, plane strain, axisymmetric or shell."});
+        OptionInfo{0, 0, "",
+                   "Elements of .inp files: plane stress, plane strain, axisymmetric or shell."});
 }
 
 /// A mesh in space needs a format that is_shell_format.

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/fields.h"
+#include "base/option_table.h"
 #include "base/result.h"
 #include "io/mesh_text.h"
 #include "mesh/output_mesh.h"

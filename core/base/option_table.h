@@ -2,7 +2,7 @@
 //
 //   template <class O, class F> void each_field(O& options, F&& visit)
 //
-// that calls visit(name, member, FieldInfo) for each option, in order. From it come the command
+// that calls visit(name, member, OptionInfo) for each option, in order. From it come the command
 // line, its help, range checks, JSON dumps, JavaScript parsing and the playground's panel.
 // Names are lowerCamel; the command line turns them into --kebab-case.
 #pragma once
@@ -17,7 +17,7 @@
 
 namespace lpq {
 
-struct FieldInfo {
+struct OptionInfo {
   double min = 0, max = 0;  // inclusive range of a number; unused for flags and choices
   const char* unit = "";    // "length" = the caller's unit of length
   const char* help = "";    // one sentence
@@ -48,7 +48,7 @@ inline Problem judge_range(const char* name, double value, double min, double ma
 template <class O>
 Problem check_ranges(const O& options) {
   Problem bad;
-  each_field(options, [&](const char* name, const auto& value, const FieldInfo& info) {
+  each_field(options, [&](const char* name, const auto& value, const OptionInfo& info) {
     using T = std::remove_cvref_t<decltype(value)>;
     if (bad) return;
     if constexpr (std::is_enum_v<T>)
