@@ -33,25 +33,27 @@ struct ChoiceNames<Seeds> {
   static constexpr std::array<const char*, 3> names{"automatic", "aligned", "isotropic"};
 };
 
+/// Lengths in the caller's unit; each_field() below holds the full text, range and unit of each.
 struct Options {
-  double size = 0;
-  int quads = 0;
-  bool keep_boundary = false;
+  double size = 0;             // target edge length; 0: the domain's own, or for about 1000 quads
+  int quads = 0;               // in place of a size; 0: not asked
+  bool keep_boundary = false;  // the given points are the 1D mesh and come back bit for bit
   Elements elements = Elements::quad;
   Method method = Method::best;
   Effort effort = Effort::normal;
   Seeds seeds = Seeds::automatic;
-  double norm = 6;
-  int iterations = -1;
-  int restarts = -1;
-  std::uint64_t seed = 1;
-  double growth = 0;
-  double simplify = 0;
-  bool allow_added_point = false;
-  bool strict = false;
-  double size_weight = 0.12;  // at 0.11 the fillings of patches are too uneven in size
-  int smoothing = -1;
-  int max_elements = 10'000'000;
+  double norm = 6;                 // p of the L_p energy
+  int iterations = -1;             // of L_p; -1: as the start needs, none if aligned
+  int restarts = -1;               // of L_p; -1: as the start needs, none if aligned
+  std::uint64_t seed = 1;          // of random choices
+  double growth = 0;               // slope of sizes; 0: 0.08, or more where that would cost much
+  double simplify = 0;             // length by which the outline may move; 0: not at all
+  bool allow_added_point = false;  // in a kept boundary of odd count
+  bool strict = false;             // repeated points are errors
+  // Of sizes beside right angles. At 0.11 large fillings of patches are too uneven in graded sizes.
+  double size_weight = 0.12;
+  int smoothing = -1;             // iterations at the end; -1: 300, 600 with high effort, paper 100
+  int max_elements = 10'000'000;  // refused beyond, before allocating
 };
 
 /// What the caller knows better than the mesher, in the caller's units; all optional. Sizes,

@@ -5,24 +5,27 @@
 
 namespace lpq {
 
+/// Lengths in the caller's unit; each_field() below holds the full text, range and unit of each.
 struct SurfaceOptions {
-  double size = 0;
-  int quads = 0;
-  double feature_angle = 40;
-  bool keep_groups = true;
-  double turn = 0;
-  double growth = 0;
-  double weld = 1e-10;
+  double size = 0;            // target edge length; 0: for about 3000 quads
+  int quads = 0;              // in place of a size; 0: not asked
+  double feature_angle = 40;  // degrees of bend beyond which edges are kept
+  bool keep_groups = true;    // and borders between groups
+  double turn = 0;            // degrees that the surface may turn by over one quad; 0: not asked
+  double growth = 0;          // slope of sizes; 0: 0.3
+  double weld = 1e-10;        // share of the diagonal; nearer points become one
   Method method = Method::best;
   Effort effort = Effort::normal;
   Seeds seeds = Seeds::automatic;
-  double norm = 6;
-  int iterations = -1;
-  int restarts = -1;
-  std::uint64_t seed = 1;
+  double norm = 6;         // p of the L_p energy
+  int iterations = -1;     // of L_p; -1: as the start needs, none if aligned
+  int restarts = -1;       // of L_p; -1: as the start needs, none if aligned
+  std::uint64_t seed = 1;  // of random choices
+  // Of sizes beside right angles. Less than in the plane, whose 0.12 is for graded sizes: those of
+  // surfaces are even but where others are asked for.
   double size_weight = 0.11;
-  int smoothing = -1;
-  int max_elements = 10'000'000;
+  int smoothing = -1;             // iterations at the end; -1: as needed
+  int max_elements = 10'000'000;  // refused beyond, before allocating
 };
 
 template <class O, class F>
