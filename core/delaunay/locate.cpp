@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/segment.h"
+
 namespace lpq {
 namespace {
 
@@ -40,9 +42,8 @@ double squared_distance(const TriMesh& mesh, Index t, Vec2 p) {
   if (contains(mesh, t, p)) return 0;
   double best = std::numeric_limits<double>::infinity();
   for (Index e = 3 * t; e < 3 * t + 3; ++e) {
-    const Vec2 a = mesh.points[mesh.origin(e)], along = mesh.points[mesh.target(e)] - a;
-    const double s = std::clamp(dot(p - a, along) / squared_length(along), 0.0, 1.0);
-    best = std::min(best, squared_length(p - (a + s * along)));
+    const Vec2 a = mesh.points[mesh.origin(e)], b = mesh.points[mesh.target(e)];
+    best = std::min(best, squared_distance_to_segment(p, a, b));
   }
   return best;
 }

@@ -8,6 +8,7 @@
 #include "field/inside.h"
 #include "geometry/box.h"
 #include "geometry/predicates.h"
+#include "geometry/segment.h"
 
 namespace lpq {
 namespace {
@@ -36,13 +37,6 @@ Quadtree root_for(const BoundaryMesh& boundary) {
   double side = unit;
   while (side < extent + unit) side *= 2;
   return Quadtree({box.lo.x - 0.5 * unit, box.lo.y - 0.5 * unit}, side);
-}
-
-double distance2_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 d = b - a;
-  const double length2 = squared_length(d);
-  const double s = length2 > 0 ? std::min(std::max(dot(p - a, d) / length2, 0.0), 1.0) : 0.0;
-  return squared_length(p - (a + s * d));
 }
 
 // Whether the box meets the segment, or the triangle: no axis and no edge separates them.
@@ -151,7 +145,7 @@ std::vector<char> BackgroundBuilder::blocked_leaves() const {
     tree_.descend([&](Index cell, const Quadtree::Box& box) {
       if (!meets_segment(box, a, b)) return false;
       const double least = wall_clearance * box.side;
-      if (tree_.is_leaf(cell) && distance2_to_segment(box.centre(), a, b) < least * least)
+      if (tree_.is_leaf(cell) && squared_distance_to_segment(box.centre(), a, b) < least * least)
         blocked[cell] = 1;
       return true;
     });

@@ -1,7 +1,10 @@
-// How two closed segments lie to each other, decided exactly, and distances to segments.
+// How two closed segments lie to each other, decided exactly, and distances to segments, rounded.
 #pragma once
 
+#include <algorithm>
+
 #include "geometry/vec.h"
+#include "geometry/vec3.h"
 
 namespace lpq {
 
@@ -27,5 +30,21 @@ Vec2 crossing_point(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 
 /// The point of the closed segment nearest to p, rounded.
 Vec2 closest_point(Vec2 p, Vec2 a, Vec2 b);
+
+/// How far along from a to b the point of the closed segment nearest to p lies, 0 to 1; 0 where a
+/// is b. In the plane and in space.
+template <class Vec>
+double share_along(Vec p, Vec a, Vec b) {
+  const Vec along = b - a;
+  const double whole = squared_length(along);
+  return whole > 0 ? std::clamp(dot(p - a, along) / whole, 0.0, 1.0) : 0;
+}
+
+/// Squared distance of p from the closed segment. Rounded, unlike closest_point() at the end b,
+/// too.
+template <class Vec>
+double squared_distance_to_segment(Vec p, Vec a, Vec b) {
+  return squared_length(p - (a + share_along(p, a, b) * (b - a)));
+}
 
 }  // namespace lpq

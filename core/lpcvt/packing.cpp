@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/csr.h"
+#include "geometry/segment.h"
 
 namespace lpq {
 namespace {
@@ -14,12 +15,6 @@ namespace {
 // Walls are filed at places this far apart (in h), so the query radius grows by half of it.
 constexpr double sample_step = 0.5;
 constexpr double sample_reach = 0.3;  // half a step, and room for the growth of h
-
-double squared_distance_to_edge(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 d = b - a;
-  const double s = std::clamp(dot(p - a, d) / squared_length(d), 0.0, 1.0);
-  return squared_length(p - (a + s * d));
-}
 
 // Triangles round each boundary node, for directions that start there.
 Csr<Index> half_edges_at_nodes(const TriMesh& mesh, Index nodes) {
@@ -84,7 +79,7 @@ bool WallDistance::nearer_than(Vec2 p, double h, double r) const {
     const Index i = segment_of_[sample];
     if (i == none) return squared_length(q - p) < r * r;
     const Segment& s = boundary_.edges[i];
-    return squared_distance_to_edge(p, boundary_.points[s.a], boundary_.points[s.b]) < r * r;
+    return squared_distance_to_segment(p, boundary_.points[s.a], boundary_.points[s.b]) < r * r;
   });
 }
 

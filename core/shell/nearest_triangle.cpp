@@ -5,15 +5,12 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/segment.h"
+
 namespace lpq {
 namespace {
 
-Vec3 nearest_on_edge(Vec3 p, Vec3 a, Vec3 b) {
-  const Vec3 along = b - a;
-  const double whole = squared_length(along);
-  if (!(whole > 0)) return a;
-  return a + std::clamp(dot(p - a, along) / whole, 0.0, 1.0) * along;
-}
+Vec3 nearest_on_edge(Vec3 p, Vec3 a, Vec3 b) { return a + share_along(p, a, b) * (b - a); }
 
 SpaceTree tree_over(std::span<const Vec3> points, std::span<const Tri> triangles) {
   std::vector<Box3> boxes;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/segment.h"
 #include "surface/normals.h"
 #include "surface/weld.h"
 
@@ -18,8 +19,7 @@ Vec2 nearest_in(Vec2 a, Vec2 b, Vec2 c, Vec2 p) {
   for (int k = 0; k < 3; ++k) {
     const Vec2 from = corner[k], along = corner[k + 1] - from;
     if (cross(along, p - from) >= 0) continue;
-    const double s = std::clamp(dot(p - from, along) / squared_length(along), 0.0, 1.0);
-    const Vec2 q = from + s * along;
+    const Vec2 q = from + share_along(p, from, corner[k + 1]) * along;
     if (squared_length(p - q) >= best_distance) continue;
     best_distance = squared_length(p - q);
     best = q;

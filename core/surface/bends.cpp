@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/sort_numbers.h"
+#include "geometry/segment.h"
 #include "numerics/elementary.h"
 #include "surface/curves.h"
 
@@ -117,10 +118,7 @@ class BendFinder {
   /// Distance of the curve from its chord over a mesh size.
   static double depth(const Line& line, double s, double h) {
     const Vec3 a = line.point(s - half_chord * h), b = line.point(s + half_chord * h);
-    const Vec3 p = line.point(s), along = b - a;
-    const double whole = dot(along, along);
-    const double t = whole > 0 ? std::clamp(dot(p - a, along) / whole, 0.0, 1.0) : 0;
-    return distance(p, a + t * along);
+    return std::sqrt(squared_distance_to_segment(line.point(s), a, b));
   }
 
   const SurfaceMesh& mesh_;
