@@ -16,6 +16,7 @@
 // + - * / sqrt decide the bits. Triangles aim at 60 degrees. Cost: about 60 ns per face.
 #pragma once
 
+#include <cmath>
 #include <span>
 
 #include "mesh/quad_mesh.h"
@@ -28,6 +29,17 @@ struct MeanRatioOptions {
   double size_weight = 0.1;       // w
   std::span<const Vec2> stretch;  // #F  mu of the plane there (field/field.h); empty: 0
 };
+
+/// Untangling goes on by continuation [Escobar et al. 2003]: with an epsilon that grows with the
+/// worst J, so that its corner still has a slope to climb, and shrinks from round to round, until
+/// the smallest corner is untangled and epsilon 0. The numbers are ours, by experience.
+inline constexpr double untangled_corner = 1e-3;  // J
+inline constexpr double epsilon_shrink = 0.7;     // from round to round
+inline constexpr double most_epsilon = 0.5;       // where s is the face's own size
+inline double untangling_epsilon(double worst) {
+  constexpr double squared_least = 0.01, growth = 0.5;
+  return std::sqrt(squared_least + growth * worst * worst);
+}
 
 /// Rounding that lets a few iterations go far (1 - eta is a largest absolute value: without
 /// rounding L-BFGS gets stuck where angles are right). For everything but the last smoothing.

@@ -1,7 +1,6 @@
 #include "cleanup/untangle.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/csr.h"
 #include "cleanup/descent.h"
@@ -64,12 +63,11 @@ void descend_mean_ratio(QuadMesh& mesh) {
   const std::vector<double> unit = own_inverse_squares(mesh.faces, mesh.points);
   const std::vector<double> sizes = vertex_sizes(mesh);
   double shrink = 1;
-  for (int round = 0; round < continuation_rounds; ++round, shrink *= 0.7) {
+  for (int round = 0; round < continuation_rounds; ++round, shrink *= epsilon_shrink) {
     const double worst = smallest_corner(mesh.faces, mesh.points, unit);
-    const bool valid = worst > 1e-3;
+    const bool valid = worst > untangled_corner;
     MeanRatioOptions options;
-    if (!valid)
-      options.epsilon = shrink * std::clamp(std::sqrt(0.01 + 0.5 * worst * worst), 0.02, 0.5);
+    if (!valid) options.epsilon = shrink * std::min(untangling_epsilon(worst), most_epsilon);
     descend(mesh, sizes, descent_steps,
             [&](std::span<const Vec2> points, std::span<Vec2> gradient) {
               return mean_ratio_energy(mesh.faces, points, unit, options, gradient);

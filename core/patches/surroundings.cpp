@@ -183,12 +183,12 @@ bool Surroundings::relax(Trial& trial, const RelaxOptions& options) const {
     if (worst > usable_corner) break;
     MeanRatioOptions ratio;
     ratio.stretch = trial.aims.stretch;
-    if (worst < 1e-3) ratio.epsilon = std::sqrt(0.01 + 0.5 * worst * worst);
+    if (worst < untangled_corner) ratio.epsilon = untangling_epsilon(worst);
     descend(mesh, sizes, options.untangling,
             [&](std::span<const Vec2> points, std::span<Vec2> gradient) {
               return mean_ratio_energy(mesh.faces, points, trial.aims.target, ratio, gradient);
             });
-    if (worst >= 1e-3) break;
+    if (worst >= untangled_corner) break;
   }
   EtaEnergyOptions shape = options.energy;
   shape.size_share = trial.aims.share;

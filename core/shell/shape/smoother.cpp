@@ -146,17 +146,16 @@ int ShapeSmoother::descend_mean_ratio(const DescentPart& part, int iterations, d
   return descent_.run(part, iterations, mean_ratio_tolerance, of_face);
 }
 
-/// With epsilon from the worst corner down to zero, as in cleanup/untangle.cpp.
+/// As in cleanup/untangle.cpp.
 void ShapeSmoother::untangle(const DescentPart& part) {
   double shrink = 1;
-  for (int round = 0; round < untangling_rounds; ++round, shrink *= 0.7) {
+  for (int round = 0; round < untangling_rounds; ++round, shrink *= epsilon_shrink) {
     double worst = 1e300;
     for (const Index f : part.faces)
       worst = std::min(
           worst, smallest_corner(corners_of(mesh_, f), own_unit(f), ground_.outside.at(mesh_, f)));
-    const bool valid = worst > 1e-3;
-    const double epsilon =
-        valid ? 0 : shrink * std::clamp(std::sqrt(0.01 + 0.5 * worst * worst), 0.02, 0.5);
+    const bool valid = worst > untangled_corner;
+    const double epsilon = valid ? 0 : shrink * std::min(untangling_epsilon(worst), most_epsilon);
     descend_mean_ratio(part, untangling_steps, epsilon);
     if (valid) return;
   }
