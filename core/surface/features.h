@@ -41,21 +41,38 @@ struct SurfaceFeatures {
 };
 
 /// `size` is the mesh size at each vertex (#V, > 0), here a quarter of the bounding diagonal of
-/// what hangs together at most. Walls are features always, group borders if asked, sharp edges by
-/// angle. Short chains of them are noise where the surface beside them is about as uneven, as it is
-/// on scans (see sharp_chains.h), unless one side is flat, as beside the rim of a hole of coarse
-/// facets; and so are short pieces that become a long chain when the branches between them are
-/// gone. Chains that stand out go on, straight ahead, down to the angle's
-/// part `hysteresis` (as edges in pictures [C86]), where they still stand out then; what of them is
-/// too short for the mesh size and touches nothing hard is dropped (but neither a plain closed line
-/// of eight edges or more, the rim of a hole, or of fewer beside a flat side, nor what has no loose
-/// end and stands out, such as the edges of a square one). Triangles so flat that their normals are
-/// noise, and needles that are nothing beside the mesh, take their normals from their neighbours
-/// (normals.h). Where a chain of noise folds back along a needle it becomes one line (needles.h).
-/// Corners: where other than two features meet, where a curve turns (both at the vertex and between
-/// points half a mesh size away), in the middle of bends that are smaller than the mesh (see
-/// bends.h), where the faces along a curve change, and where sheets meet in a point only. Faces are
-/// connected across edges that are no features, numbered by first triangle. Cost O(#T log #T).
+/// what hangs together at most. Cost O(#T log #T).
+///
+/// Features are
+///  - walls, and if asked the borders between groups: hard ones, never dropped;
+///  - edges sharp by angle, but for those dropped below;
+///  - what goes on straight ahead of a chain that stands out, down to the angle's part `hysteresis`
+///    (as edges in pictures [C86]), where it still stands out.
+///
+/// A chain stands out where it bends much more than the surface beside it, which on scans is about
+/// as uneven everywhere (sharp_chains.h), or where one side is flat, as beside the rim of a hole of
+/// coarse facets.
+///
+/// Dropped are, of those sharp by angle,
+///  - side branches with a loose end shorter than `shortest_stub`;
+///  - chains shorter than `shortest` that do not stand out, and short pieces that have become a
+///    long one because branches between them are gone;
+///  - in the end, what hangs together with nothing hard and is small altogether: with a loose end
+///    shorter than `shortest`, or else not standing out within `shortest_loop`. This last not where
+///    it is a rim: a plain closed line of eight edges or more, or of fewer beside a flat side.
+///
+/// Triangles so flat that their normals are noise, and needles that are nothing beside the mesh,
+/// take their normals from their neighbours (normals.h). Where a chain of noise folds back along a
+/// needle it becomes one line (needles.h).
+///
+/// Corners lie
+///  - where other than two features meet;
+///  - where a curve turns, both at the vertex and between points half a mesh size away;
+///  - in the middle of bends that are smaller than the mesh (bends.h);
+///  - where the faces along a curve change;
+///  - where sheets meet in a point only.
+///
+/// Faces are connected across edges that are no features, numbered by first triangle.
 SurfaceFeatures find_features(const SurfaceMesh& mesh, std::span<const double> size,
                               const FeatureOptions& options = {});
 
