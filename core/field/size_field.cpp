@@ -7,6 +7,7 @@
 
 #include "delaunay/locate.h"
 #include "geometry/segment.h"
+#include "mesh/limit_growth.h"
 #include "mesh/neighbours.h"
 #include "numerics/elementary.h"
 #include "numerics/sparse.h"

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/box.h"
+#include "mesh/limit_growth.h"
 #include "mesh/neighbours.h"
 #include "numerics/elementary.h"
 #include "surface/components.h"
