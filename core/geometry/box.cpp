@@ -18,4 +18,11 @@ double squared_distance(const Box& a, const Box& b) {
   return dx * dx + dy * dy;
 }
 
+double bounding_diagonal(std::span<const Vec3> points) {
+  if (points.empty()) return 0;
+  Box3 box{points[0], points[0]};
+  for (const Vec3 p : points) extend(box, p);
+  return diagonal(box);
+}
+
 }  // namespace lpq

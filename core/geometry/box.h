@@ -73,4 +73,7 @@ inline bool is_empty(const Box3& box) { return box.lo.x > box.hi.x; }
 
 inline double diagonal(const Box3& box) { return length(box.hi - box.lo); }
 
+/// Length of the diagonal of the box about the points; 0 without any.
+double bounding_diagonal(std::span<const Vec3> points);
+
 }  // namespace lpq

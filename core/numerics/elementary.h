@@ -20,4 +20,6 @@ double logarithm(double x);
 
 inline constexpr double pi = 3.14159265358979323846;
 
+inline double cos_degrees(double angle) { return sin_cos(angle * (pi / 180)).cos; }
+
 }  // namespace lpq

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/box.h"
 #include "geometry/segment.h"
-#include "surface/normals.h"
 #include "surface/weld.h"
 
 namespace lpq {

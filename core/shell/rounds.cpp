@@ -7,12 +7,12 @@
 
 #include "base/sort_unique.h"
 #include "base/words.h"
+#include "geometry/box.h"
 #include "shell/check.h"
 #include "shell/crossings.h"
 #include "shell/place.h"
 #include "shell/topology.h"
 #include "surface/corners.h"
-#include "surface/normals.h"
 #include "surface/size_field.h"
 #include "surface/tips.h"
 

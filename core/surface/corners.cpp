@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "surface/sharp_edges.h"
+#include "numerics/elementary.h"
 
 namespace lpq {
 namespace {

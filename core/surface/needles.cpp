@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "numerics/elementary.h"
 #include "surface/normals.h"
 #include "surface/sharp_chains.h"
 #include "surface/sharp_edges.h"

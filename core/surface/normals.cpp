@@ -138,13 +138,6 @@ class NormalFinder {
 
 }  // namespace
 
-double bounding_diagonal(const std::vector<Vec3>& points) {
-  if (points.empty()) return 0;
-  Box3 box{points[0], points[0]};
-  for (const Vec3 p : points) extend(box, p);
-  return diagonal(box);
-}
-
 std::vector<Vec3> triangle_normals(const SurfaceMesh& mesh, std::span<const double> size) {
   return NormalFinder(mesh, size).run();
 }

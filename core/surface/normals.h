@@ -8,9 +8,6 @@
 
 namespace lpq {
 
-/// Length of the diagonal of the bounding box.
-double bounding_diagonal(const std::vector<Vec3>& points);
-
 /// A triangle so flat that its own normal is rounding noise takes that from across its longest
 /// edge: edges beside it are then as sharp as the sheets that it lies between. Where mesh sizes are
 /// given (#V), needles that are nothing beside them count as flat, too, unless many together are as

@@ -93,8 +93,6 @@ void drop_rough(const SurfaceMesh& mesh, std::span<const double> angles,
 
 }  // namespace
 
-double cos_degrees(double angle) { return sin_cos(angle * (pi / 180)).cos; }
-
 std::vector<double> edge_angles(const SurfaceMesh& mesh, std::span<const double> size,
                                 const SurfaceEdges& edges) {
   const std::vector<Vec3> normals = triangle_normals(mesh, size);

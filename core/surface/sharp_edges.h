@@ -21,7 +21,4 @@ void mark_sharp_edges(std::span<const double> angles, const FeatureOptions& opti
 void extend_sharp_chains(const SurfaceMesh& mesh, std::span<const double> angles,
                          const FeatureOptions& options, SurfaceFeatures& features);
 
-/// cos of an angle in degrees.
-double cos_degrees(double angle);
-
 }  // namespace lpq
