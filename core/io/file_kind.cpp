@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "io/domain/domain_format.h"
-#include "io/mesh_text.h"
 #include "io/number.h"
 #include "io/plain_text.h"
 #include "io/surface/surface_format.h"
+#include "io/text_lines.h"
 
 namespace lpq {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/mesh_text.h"
+#include "io/text_lines.h"
 
 namespace lpq {
 

@@ -8,10 +8,10 @@
 #include "io/domain/poly_domain.h"
 #include "io/domain/svg_domain.h"
 #include "io/file_kind.h"
-#include "io/mesh_text.h"
 #include "io/number.h"
 #include "io/plain_text.h"
 #include "io/surface/surface_format.h"
+#include "io/text_lines.h"
 #include "io/text_place.h"
 
 namespace lpq {

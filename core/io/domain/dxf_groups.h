@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/vec.h"
-#include "io/mesh_text.h"
+#include "io/text_lines.h"
 
 namespace lpq {
 

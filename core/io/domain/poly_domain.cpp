@@ -5,8 +5,8 @@
 
 #include "io/domain/drawing.h"
 #include "io/domain/line_landings.h"
-#include "io/mesh_text.h"
 #include "io/number.h"
+#include "io/text_lines.h"
 
 namespace lpq {
 namespace {

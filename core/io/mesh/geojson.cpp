@@ -2,7 +2,7 @@
 #include "io/mesh/geojson.h"
 
 #include "io/json_write.h"
-#include "io/mesh_text.h"
+#include "io/mesh/output_parts.h"
 
 namespace lpq {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "base/option_table.h"
 #include "base/result.h"
-#include "io/mesh_text.h"
+#include "io/mesh/output_parts.h"
 #include "mesh/output_mesh.h"
 
 namespace lpq {

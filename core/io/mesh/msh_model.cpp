@@ -5,7 +5,7 @@
 #include <array>
 #include <numeric>
 
-#include "io/mesh_text.h"
+#include "io/mesh/output_parts.h"
 #include "io/number.h"
 
 namespace lpq {

@@ -11,7 +11,7 @@
 
 #include "base/result.h"
 #include "geometry/vec3.h"
-#include "io/mesh_text.h"
+#include "io/mesh/output_parts.h"
 
 namespace lpq {
 

@@ -6,7 +6,7 @@
 #include "io/mesh/msh_groups.h"
 #include "io/mesh/msh_parse.h"
 #include "io/mesh/msh_types.h"
-#include "io/mesh_text.h"
+#include "io/mesh/output_parts.h"
 #include "io/text_place.h"
 
 namespace lpq {

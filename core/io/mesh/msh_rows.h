@@ -10,7 +10,7 @@
 
 #include "base/result.h"
 #include "io/byte_order.h"
-#include "io/mesh_text.h"
+#include "io/text_lines.h"
 
 namespace lpq {
 

@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 #include "io/mesh/msh_parse.h"
-#include "io/mesh_text.h"
+#include "io/mesh/output_parts.h"
 
 namespace lpq {
 

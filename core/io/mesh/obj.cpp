@@ -6,11 +6,12 @@
 #include <string_view>
 
 #include "io/escape.h"
+#include "io/mesh/output_parts.h"
 #include "io/mesh/region_groups.h"
-#include "io/mesh_text.h"
 #include "io/number.h"
 #include "io/obj_text.h"
 #include "io/surface/surface_text.h"
+#include "io/text_lines.h"
 #include "io/unique_names.h"
 
 namespace lpq {

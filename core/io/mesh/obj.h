@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "base/result.h"
-#include "io/mesh_text.h"
+#include "io/mesh/output_parts.h"
 #include "mesh/output_mesh.h"
 #include "mesh/tri_mesh.h"
 

@@ -2,9 +2,9 @@
 #include "io/mesh/ply.h"
 
 #include "io/escape.h"
+#include "io/mesh/output_parts.h"
 #include "io/mesh/region_groups.h"
 #include "io/mesh/vtk_cells.h"
-#include "io/mesh_text.h"
 #include "io/number.h"
 
 namespace lpq {

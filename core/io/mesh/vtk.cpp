@@ -1,8 +1,8 @@
 // See vtk.h.
 #include "io/mesh/vtk.h"
 
+#include "io/mesh/output_parts.h"
 #include "io/mesh/vtk_cells.h"
-#include "io/mesh_text.h"
 #include "io/number.h"
 
 namespace lpq {

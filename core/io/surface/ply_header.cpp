@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 
-#include "io/mesh_text.h"
 #include "io/number.h"
 #include "io/plain_text.h"
+#include "io/text_lines.h"
 #include "io/text_place.h"
 
 namespace lpq {

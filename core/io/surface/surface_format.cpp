@@ -7,13 +7,13 @@
 #include "io/domain/domain_format.h"
 #include "io/file_kind.h"
 #include "io/mesh/msh_parse.h"
-#include "io/mesh_text.h"
 #include "io/plain_text.h"
 #include "io/surface/msh_surface.h"
 #include "io/surface/obj_surface.h"
 #include "io/surface/off_surface.h"
 #include "io/surface/ply_surface.h"
 #include "io/surface/stl_surface.h"
+#include "io/text_lines.h"
 #include "io/text_place.h"
 
 namespace lpq {

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "geometry/vec3.h"
-#include "io/mesh_text.h"
 #include "io/number.h"
+#include "io/text_lines.h"
 
 namespace lpq {
 

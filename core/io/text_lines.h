@@ -1,17 +1,15 @@
-// What the mesh readers and writers share: lines and words of a text file, names, used points.
+// Lines of a text file, and the words of a line.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/result.h"
-#include "mesh/output_mesh.h"
 
 namespace lpq {
-
-/// What a reader takes: meshes with z = 0, or of any height.
-enum class MeshScope { plane, space };
 
 /// Lines of a text, without their line ends (LF, CRLF or CR) and a leading byte order mark.
 class LineReader {
@@ -48,17 +46,5 @@ class Words {
  private:
   std::vector<std::string_view> words_;
 };
-
-/// Renumbers so that every point is a corner of a face; edges and tags of other points vanish.
-void drop_unused_points(OutputMesh& mesh);
-
-/// A mesh of which no point has a height is one in the plane.
-void drop_flat_heights(OutputMesh& mesh);
-
-/// A region's name, or "region 2" (1-based; "domain" if it is the only one) where it has none.
-std::string region_label(const OutputMesh& mesh, Index region);
-
-/// eta of a face (mesh/quality.h); in space of a quad (shell/quality.h), 0 for a triangle.
-double output_eta(const OutputMesh& mesh, const Face& face);
 
 }  // namespace lpq
