@@ -1,5 +1,5 @@
 // Integer points of two phases whose gradients follow the crosses: periodic global parametrisation
-// [Ray, Li, Levy, Sheffer, Alliez 2006] on the background mesh, one linear solve.
+// [Ray et al. 2006] on the background mesh, one linear solve.
 #pragma once
 
 #include <vector>

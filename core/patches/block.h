@@ -7,8 +7,8 @@
 //   n = 3   spoke j, from the centre to side j + 1, has r_j = S/2 - s_j edges (S the sum);
 //   n = 5   r_j = (s_j + s_{j+1} + s_{j+4} - s_{j+2} - s_{j+3}) / 2;
 //
-// all r_j must be whole and positive. Compare the pattern parameters of [Takayama, Panozzo,
-// Sorkine-Hornung 2014] and the patches of [Bunin 2006].
+// all r_j must be whole and positive. Compare the pattern parameters of [Takayama et al. 2014] and
+// the patches of [Bunin 2006].
 #pragma once
 
 #include <array>
