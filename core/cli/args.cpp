@@ -8,8 +8,6 @@
 namespace lpq {
 namespace {
 
-Error usage(std::string message) { return {ErrorCode::bad_option, std::move(message), {}}; }
-
 std::string limits_text(const OptionInfo& info) {
   return "a number between " + short_number(info.min) + " and " + short_number(info.max);
 }

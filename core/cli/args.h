@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -108,6 +109,9 @@ struct CheckArgs {
   CheckFiles files;
   bool help = false;
 };
+
+/// A wrong command line.
+inline Error usage(std::string message) { return {ErrorCode::bad_option, std::move(message), {}}; }
 
 /// "keepBoundary" -> "--keep-boundary"
 std::string option_flag(std::string_view name);

@@ -160,10 +160,9 @@ bool load_references(const CheckFiles& files, const CliStreams& streams, Referen
 }
 
 Problem misuse(const CheckArgs& args) {
-  if (args.inputs.empty())
-    return Error{ErrorCode::bad_option, "No mesh given: lpquad check MESH.", {}};
+  if (args.inputs.empty()) return usage("No mesh given: lpquad check MESH.");
   if (!args.files.domain.empty() && !args.files.surface.empty())
-    return Error{ErrorCode::bad_option, "Give --domain or --surface, not both.", {}};
+    return usage("Give --domain or --surface, not both.");
   return std::nullopt;
 }
 

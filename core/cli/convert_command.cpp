@@ -17,8 +17,6 @@
 namespace lpq {
 namespace {
 
-Error usage(std::string message) { return {ErrorCode::bad_option, std::move(message), {}}; }
-
 Problem misuse(const ConvertArgs& args) {
   if (args.inputs.size() != 1)
     return usage("Give one surface: lpquad convert SURFACE -o TRIANGLES.obj.");

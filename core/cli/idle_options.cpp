@@ -70,9 +70,7 @@ std::vector<Warning> idle_options(const RunFiles& files, const MeshArgs& args, b
 
 std::vector<Warning> idle_surface_options(const RunFiles& files, const MeshArgs& args) {
   Idle idle(args.given);
-  Options options = chart_options(args.surface_options);
-  options.effort = args.surface_options.effort;
-  add_of_chain(options, false, false, idle);
+  add_of_chain(window_options(args.surface_options), false, false, idle);
   add_of_files(files, idle);
   return idle.take();
 }

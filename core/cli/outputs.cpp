@@ -12,8 +12,6 @@ namespace {
 
 constexpr std::string_view marker = "{}";
 
-Error usage(std::string message) { return {ErrorCode::bad_option, std::move(message), {}}; }
-
 bool is_folder(const std::string& name) {
   if (name.empty()) return false;
   if (name.back() == '/' || name.back() == '\\') return true;

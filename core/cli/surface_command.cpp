@@ -12,8 +12,6 @@
 namespace lpq {
 namespace {
 
-Error usage(std::string message) { return {ErrorCode::bad_option, std::move(message), {}}; }
-
 /// What a run on a surface cannot write.
 Problem unwritable(const RunFiles& files, const MeshArgs& args) {
   if (!files.stages.empty()) return usage("Option --stages is for domains in the plane.");
