@@ -116,6 +116,12 @@ double IdealValence::weight(const QuadTopology& mesh, Index v) const {
   return sum;
 }
 
+double IdealValence::total_weight(const QuadTopology& mesh) const {
+  double sum = 0;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) sum += weight(mesh, v);
+  return sum;
+}
+
 Index IdealValence::wanted(Index v) const {
   if (v >= sectors_.rows()) return 4;
   Index sum = 0;

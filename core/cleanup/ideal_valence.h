@@ -39,6 +39,8 @@ class IdealValence {
   /// Sum over the sectors of v of irregularity(quads there, ideal); a little for two or three quads
   /// where either is taken but the other would be ideal.
   double weight(const QuadTopology& mesh, Index v) const;
+  /// Sum over all vertices.
+  double total_weight(const QuadTopology& mesh) const;
   bool is_regular(const QuadTopology& mesh, Index v) const { return weight(mesh, v) == 0; }
   /// The number of quads wanted at v, over all its sectors.
   Index wanted(Index v) const;

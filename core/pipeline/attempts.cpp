@@ -2,7 +2,6 @@
 #include "pipeline/attempts.h"
 
 #include <algorithm>
-#include <array>
 
 #include "base/words.h"
 
@@ -24,10 +23,7 @@ constexpr double before_subdivision = 1.5;
 // Rounds of exchanging points: from an isotropic start four in five of what twice as many bring.
 // None where the count is the caller's or the paper's, or the start aligned, which they harm.
 constexpr int isotropic_restarts = 10;
-// What other sizes gain falls with the number of quads: with two of them mean eta rises by 0.015 at
-// 150 quads, 0.008 at 500, 0.001 at 2500; four gain a little more.
-constexpr std::array<double, 4> other_sizes{0.97, 1.03, 0.94, 1.06};
-constexpr double few_quads = 1000, few_for_high_effort = 1500;
+constexpr double few_for_high_effort = 1500;  // in place of few_quads
 // A step of more would keep a page waiting, and hardly anything is lacking there.
 constexpr double most_quads_of_grid = 10'000;
 

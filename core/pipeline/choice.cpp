@@ -12,9 +12,6 @@
 namespace lpq {
 namespace {
 
-// One irregular vertex in a hundred counts as much as 0.01 of mean eta, the worst quad below this
-// as much as all others together.
-constexpr double least_eta = 0.2;
 // With less than that no other mesh is looked for.
 constexpr double low_cost = 0.012;
 // At least this share of it is left by all iterations of smoothing but the first.
@@ -29,7 +26,8 @@ double off_count(Index quads, int wanted) {
   return std::max(ratio, 1 / ratio) - 1;
 }
 
-/// What is lacking in shape, regular vertices and size: less is better.
+/// What is lacking in shape, regular vertices and size: less is better. One irregular vertex in a
+/// hundred counts as much as 0.01 of mean eta.
 double cost_of(const Report& report, const Options& options) {
   const QuadQuality& quality = report.quality;
   return 1 - quality.eta_mean + 0.01 * (100 - quality.four_valent_percent) +

@@ -2,7 +2,6 @@
 #include "shell/chart_run.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "base/hash.h"
@@ -12,6 +11,7 @@
 #include "grids/submapped_grid.h"
 #include "mesh/quality.h"
 #include "numerics/elementary.h"
+#include "pipeline/attempts.h"
 #include "pipeline/shape_options.h"
 #include "shell/border_slide.h"
 #include "shell/chart_fields.h"
@@ -98,9 +98,6 @@ std::uint64_t fingerprint(Index chart, const DomainInput& input, const Fields& f
   return hash.value();
 }
 
-/// Below it the worst quad of a face counts beside all others: in space little can be done for it.
-constexpr double least_eta = 0.2;
-
 /// Of a grid: at the border nodes slide later to where its lines end. Where all quads lie there, as
 /// in a strip one quad wide, that mends some of them, but not a grid that leans as a whole.
 double least_eta_inside(const QuadMesh& grid) {
@@ -117,20 +114,18 @@ double least_eta_inside(const QuadMesh& grid) {
 /// What is lacking in shape, and in regular vertices: one for each vertex counts as much as eta 0.
 MeshCost cost_of(const QuadMesh& quads, double eta_min) {
   const QuadTopology topology{QuadMesh(quads)};
-  const IdealValence ideal(topology);
   MeshCost cost;
-  for (Index v = 0; v < topology.vertex_count(); ++v)
-    cost.irregularity += ideal.weight(topology, v);
+  cost.irregularity = IdealValence(topology).total_weight(topology);
   cost.whole = 1 - quad_quality(quads).eta_mean + std::max(0.0, least_eta - eta_min) +
                cost.irregularity / static_cast<double>(topology.vertex_count());
   return cost;
 }
 
-/// Tries with a field of their own: sizes a little off make other meshes, some with fewer irregular
-/// vertices; more tries gain hardly anything. In small faces there is nothing to gain, in large
-/// ones the share of the vertices that could is small.
-constexpr std::array<double, 5> size_factors{1, 0.97, 1.03, 0.94, 1.06};
-constexpr double fewest_quads = 50, most_quads = 1000;
+/// In smaller faces other sizes have nothing to gain.
+constexpr double fewest_quads = 50;
+
+/// Of the first try with a field of its own, and of those after it.
+double size_factor_of(std::size_t tries) { return tries == 1 ? 1 : other_sizes[tries - 2]; }
 
 }  // namespace
 
@@ -164,7 +159,7 @@ Problem ChartRun::advance(const Options& options) {
   if (!mesher_) {
     auto mesher = Mesher::start(
         domain_.input, options,
-        tries_ == 0 ? fields_of_user(fields_) : sizes_of_user(fields_, size_factors[tries_ - 1]));
+        tries_ == 0 ? fields_of_user(fields_) : sizes_of_user(fields_, size_factor_of(tries_)));
     if (!mesher) return mesher.error();
     mesher_ = std::move(*mesher);
   }
@@ -215,7 +210,7 @@ bool ChartRun::take_grids(const Options& options) {
 bool ChartRun::may_gain(bool took_grid) const {
   if (tries_ == 0) return !took_grid || cost_.irregularity > 0;
   const double quads = cell_capacity(fields_);
-  return tries_ < size_factors.size() && quads > fewest_quads && quads < most_quads &&
+  return tries_ <= other_sizes.size() && quads > fewest_quads && quads < few_quads &&
          !(best_ && cost_.irregularity == 0);
 }
 

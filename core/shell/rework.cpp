@@ -22,10 +22,7 @@ double merit(const QuadMesh& mesh, const Fields& fields, const PatchOptions& opt
       mesh.faces, mesh.points, target_inverse_squares(mesh, fields), options.energy, gradient);
   if (energy.status != EvalStatus::ok) return std::numeric_limits<double>::infinity();
   const QuadTopology topology{QuadMesh(mesh)};
-  const IdealValence ideal(topology);
-  double weight = 0;
-  for (Index v = 0; v < topology.vertex_count(); ++v) weight += ideal.weight(topology, v);
-  return energy.value + options.credit * weight;
+  return energy.value + options.credit * IdealValence(topology).total_weight(topology);
 }
 
 /// Chance first. Cooler than in the plane: a window is small, and its mesh good but where the cut

@@ -26,8 +26,7 @@ Edited regularised(const QuadMesh& start) {
   Edited result;
   DiskPatterns patterns;
   result.stats = regularise(topology, ideal, fields, patterns);
-  for (Index v = 0; v < topology.vertex_count(); ++v)
-    result.irregularity += ideal.weight(topology, v);
+  result.irregularity = ideal.total_weight(topology);
   result.mesh = std::move(topology).compact();
   return result;
 }

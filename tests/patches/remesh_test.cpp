@@ -28,10 +28,7 @@ QuadMesh remeshed(const QuadMesh& start, const Fields& fields, const PatchOption
 
 double irregularity_of(const QuadMesh& mesh) {
   const QuadTopology topology(mesh);
-  const IdealValence ideal(topology);
-  double sum = 0;
-  for (Index v = 0; v < topology.vertex_count(); ++v) sum += ideal.weight(topology, v);
-  return sum;
+  return IdealValence(topology).total_weight(topology);
 }
 
 QuadMesh trouble(std::uint64_t seed) {
