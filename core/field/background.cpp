@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "delaunay/delaunay.h"
 #include "field/inside.h"
@@ -172,9 +173,8 @@ Result<TriMesh> BackgroundBuilder::coarse() const {
   return triangulate(boundary_, inside);
 }
 
-Result<TriMesh> BackgroundBuilder::fine(const TriMesh& coarse, OnCoarse largest_leaf,
-                                        OnCoarse interior_value, double most_leaves,
-                                        std::vector<double>& interior_values) {
+Problem BackgroundBuilder::split_leaves(const TriMesh& coarse, OnCoarse largest_leaf,
+                                        double most_leaves) {
   double weights[3];
   const double most_cells = tree_.cell_count() + most_leaves;
   for (Index t = 0; t < coarse.triangle_count(); ++t) {
@@ -190,16 +190,20 @@ Result<TriMesh> BackgroundBuilder::fine(const TriMesh& coarse, OnCoarse largest_
       return tree_.cell_count() < most_cells && tree_.split(cell);
     });
   }
-  if (tree_.cell_count() >= most_cells)
-    return Error{ErrorCode::too_many_elements,
-                 "The sizes are so small in places that more elements would be needed than the "
-                 "limit allows. Use larger sizes or raise maxElements.",
-                 {}};
-  tree_.balance();
-  // Where the coarse triangle that contains a leaf's centre is known, so is that it lies inside.
+  if (tree_.cell_count() < most_cells) return std::nullopt;
+  return Error{ErrorCode::too_many_elements,
+               "The sizes are so small in places that more elements would be needed than the "
+               "limit allows. Use larger sizes or raise maxElements.",
+               {}};
+}
+
+/// Where the coarse triangle that contains a leaf's centre is known, so is that it lies inside.
+BackgroundBuilder::Interior BackgroundBuilder::leaves_inside(const TriMesh& coarse,
+                                                             OnCoarse value_at) const {
   const std::vector<char> blocked = blocked_leaves();
   std::vector<double> value(tree_.cell_count(), 0);
   std::vector<char> inside(tree_.cell_count(), 0);
+  double weights[3];
   for (Index t = 0; t < coarse.triangle_count(); ++t) {
     const auto p = corners(coarse, t);
     tree_.descend([&](Index cell, const Quadtree::Box& box) {
@@ -207,20 +211,29 @@ Result<TriMesh> BackgroundBuilder::fine(const TriMesh& coarse, OnCoarse largest_
       const Vec2 c = box.centre();
       if (tree_.is_leaf(cell) && !blocked[cell] && !inside[cell] && contains(p, c)) {
         clamped_weights(c, p, weights);
-        value[cell] = interior_value(t, weights, c);
+        value[cell] = value_at(t, weights, c);
         inside[cell] = 1;
       }
       return true;
     });
   }
-  std::vector<Vec2> centres;
-  interior_values.clear();
+  Interior interior;
   for (Index cell = 0; cell < tree_.cell_count(); ++cell)
     if (inside[cell]) {
-      centres.push_back(tree_.box(cell).centre());
-      interior_values.push_back(value[cell]);
+      interior.centres.push_back(tree_.box(cell).centre());
+      interior.values.push_back(value[cell]);
     }
-  return triangulate(boundary_, centres);
+  return interior;
+}
+
+Result<FineBackground> BackgroundBuilder::fine(const TriMesh& coarse, OnCoarse largest_leaf,
+                                               OnCoarse interior_value, double most_leaves) {
+  if (Problem too_many = split_leaves(coarse, largest_leaf, most_leaves)) return *too_many;
+  tree_.balance();
+  Interior interior = leaves_inside(coarse, interior_value);
+  auto mesh = triangulate(boundary_, interior.centres);
+  if (!mesh) return mesh.error();
+  return FineBackground{std::move(*mesh), std::move(interior.values)};
 }
 
 }  // namespace lpq

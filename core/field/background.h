@@ -19,6 +19,11 @@ struct Source {
   double side = 0;
 };
 
+struct FineBackground {
+  TriMesh mesh;
+  std::vector<double> interior_values;  // at the vertices behind those of the boundary, in order
+};
+
 class BackgroundBuilder {
  public:
   /// `coarsest`: no leaf that meets the domain is larger; 0 for no such bound.
@@ -36,11 +41,18 @@ class BackgroundBuilder {
   /// the triangle). `interior_value`, same arguments, is then read at each new interior vertex.
   /// Errors: too_many_elements where that needs more than `most_leaves` new ones.
   using OnCoarse = FunctionRef<double(Index t, const double (&weights)[3], Vec2 point)>;
-  Result<TriMesh> fine(const TriMesh& coarse, OnCoarse largest_leaf, OnCoarse interior_value,
-                       double most_leaves, std::vector<double>& interior_values);
+  Result<FineBackground> fine(const TriMesh& coarse, OnCoarse largest_leaf, OnCoarse interior_value,
+                              double most_leaves);
 
  private:
+  struct Interior {
+    std::vector<Vec2> centres;
+    std::vector<double> values;
+  };
+
   void refine_inside(double coarsest);
+  Problem split_leaves(const TriMesh& coarse, OnCoarse largest_leaf, double most_leaves);
+  Interior leaves_inside(const TriMesh& coarse, OnCoarse value_at) const;
   std::vector<char> blocked_leaves() const;
 
   const BoundaryMesh& boundary_;

@@ -162,14 +162,18 @@ BackgroundBuilder builder_for(const BoundaryMesh& boundary, const FieldOptions& 
 }
 
 // The coarse background and the sizes at its vertices.
-Result<TriMesh> coarse_sizes(const BackgroundBuilder& builder, const BoundaryMesh& boundary,
-                             const FieldOptions& options, std::span<const SizeCone> cones,
-                             std::vector<double>& h) {
-  Result<TriMesh> coarse = builder.coarse();
-  if (!coarse) return coarse;
-  h = asked_sizes(*coarse, boundary, options);
-  if (auto error = complete_sizes(*coarse, boundary, options, cones, h)) return std::move(*error);
-  return coarse;
+struct CoarseSizes {
+  TriMesh mesh;
+  std::vector<double> h;
+};
+
+Result<CoarseSizes> coarse_sizes(const BackgroundBuilder& builder, const BoundaryMesh& boundary,
+                                 const FieldOptions& options, std::span<const SizeCone> cones) {
+  auto mesh = builder.coarse();
+  if (!mesh) return mesh.error();
+  std::vector<double> h = asked_sizes(*mesh, boundary, options);
+  if (auto error = complete_sizes(*mesh, boundary, options, cones, h)) return std::move(*error);
+  return CoarseSizes{std::move(*mesh), std::move(h)};
 }
 
 /// The integral of 1/h^2.
@@ -185,24 +189,23 @@ double quads_of(const TriMesh& mesh, std::span<const double> h) {
   return quads;
 }
 
-// Refined inside as the sizes on the coarse background ask; `interior_h` are those of new vertices.
-Result<TriMesh> fine_background(BackgroundBuilder& builder, const TriMesh& coarse,
-                                std::span<const double> coarse_h, const FieldOptions& options,
-                                std::vector<double>& interior_h) {
+// Refined inside as the sizes on the coarse background ask, with those of new vertices.
+Result<FineBackground> fine_background(BackgroundBuilder& builder, const CoarseSizes& coarse,
+                                       const FieldOptions& options) {
   const auto size_at = [&](Index t, const double(&weights)[3], Vec2 point) {
-    const double h = interpolate(coarse, coarse_h, t, weights);
+    const double h = interpolate(coarse.mesh, coarse.h, t, weights);
     if (!options.size_function) return h;
     const double asked = options.size_function(point);
     return good_size(asked) ? std::min(h, asked) : h;
   };
-  const std::vector<double> depth = distance_to_walls(coarse);
+  const std::vector<double> depth = distance_to_walls(coarse.mesh);
   const auto largest_leaf = [&](Index t, const double(&weights)[3], Vec2 point) {
     const double h = size_at(t, weights, point);
-    const double far = interpolate(coarse, depth, t, weights) / (coarsening_depth * h);
+    const double far = interpolate(coarse.mesh, depth, t, weights) / (coarsening_depth * h);
     return options.coarseness * h * std::sqrt(std::max(far, 1.0));
   };
   const double most_leaves = leaves_beside_quads + leaves_per_quad * options.max_quads;
-  return builder.fine(coarse, largest_leaf, size_at, most_leaves, interior_h);
+  return builder.fine(coarse.mesh, largest_leaf, size_at, most_leaves);
 }
 
 }  // namespace
@@ -219,37 +222,33 @@ Problem judge_stretch(Vec2 mu, Vec2 at) {
 
 Result<double> estimate_quads(const BoundaryMesh& boundary, const FieldOptions& options) {
   if (auto error = judge(options)) return std::move(*error);
-  std::vector<double> h;
   const std::vector<SizeCone> cones = size_cones_of(options);
-  const Result<TriMesh> mesh =
-      coarse_sizes(builder_for(boundary, options, cones), boundary, options, cones, h);
-  if (!mesh) return mesh.error();
-  return quads_of(*mesh, h);
+  const auto coarse = coarse_sizes(builder_for(boundary, options, cones), boundary, options, cones);
+  if (!coarse) return coarse.error();
+  return quads_of(coarse->mesh, coarse->h);
 }
 
 Result<Fields> make_fields(const BoundaryMesh& boundary, const FieldOptions& options) {
   if (auto error = judge(options)) return std::move(*error);
   const std::vector<SizeCone> cones = size_cones_of(options);
   BackgroundBuilder builder = builder_for(boundary, options, cones);
-  std::vector<double> coarse_h;
-  const Result<TriMesh> coarse = coarse_sizes(builder, boundary, options, cones, coarse_h);
+  const auto coarse = coarse_sizes(builder, boundary, options, cones);
   if (!coarse) return coarse.error();
-  if (const double quads = quads_of(*coarse, coarse_h); quads > options.max_quads)
+  if (const double quads = quads_of(coarse->mesh, coarse->h); quads > options.max_quads)
     return too_many_elements(quads, options.max_quads);
 
-  const std::vector<Chord> guides = chords_of(options.guides, *coarse, coarse_h);
+  const std::vector<Chord> guides = chords_of(options.guides, coarse->mesh, coarse->h);
   builder.refine(sources_along(guides));
-  std::vector<double> interior_h;
-  Result<TriMesh> fine = fine_background(builder, *coarse, coarse_h, options, interior_h);
+  auto fine = fine_background(builder, *coarse, options);
   if (!fine) return fine.error();
 
   Fields fields;
-  fields.background = std::move(*fine);
+  fields.background = std::move(fine->mesh);
   if (options.size_function || options.size > 0 || !options.sizes.empty()) {
     fields.h = asked_sizes(fields.background, boundary, options);
   } else {
-    fields.h.assign(coarse_h.begin(), coarse_h.begin() + boundary.points.size());
-    fields.h.insert(fields.h.end(), interior_h.begin(), interior_h.end());
+    fields.h.assign(coarse->h.begin(), coarse->h.begin() + boundary.points.size());
+    fields.h.insert(fields.h.end(), fine->interior_values.begin(), fine->interior_values.end());
   }
   if (auto error = complete_sizes(fields.background, boundary, options, cones, fields.h))
     return std::move(*error);
