@@ -123,13 +123,29 @@ double Gaps::wall_length() const {
   return total;
 }
 
+/// Whether the piece is to be halved; if not, adds the sample that it asks for, if any. `known` is
+/// the spacing in its middle without gaps.
+bool Gaps::is_too_long(Index segment, const Piece& piece, double known, double growth, double floor,
+                       std::vector<BoundarySpacing::Sample>& samples) const {
+  const Vec2 middle = midpoint(piece.a, piece.b);
+  const double half = 0.5 * distance(piece.a, piece.b);
+  // At rounding distance from each other the halves would be the piece again.
+  const bool atom = middle == piece.a || middle == piece.b;
+  // Short pieces see near walls only, and that is quick.
+  if (2 * half > known && !atom) return true;
+  // Gap and spacing have bounded slopes: beyond this reach no point of the piece is concerned.
+  const double reach = known + half * (growth + 1 / edges_per_gap);
+  const double asked = spacing_at(segment, middle, reach);
+  if (asked >= reach) return false;
+  const double spacing = std::max(asked, floor);
+  if (2 * half * edges_per_gap > spacing && !atom) return true;
+  if (spacing < known) samples.push_back({middle, spacing});
+  return false;
+}
+
 bool Gaps::sample_walls(const BoundarySpacing& without_gaps, const SpacingOptions& options,
                         double floor, Index most,
                         std::vector<BoundarySpacing::Sample>& samples) const {
-  struct Piece {
-    Vec2 a, b;
-    double bound;  // of the spacing in the middle
-  };
   std::vector<Piece> waiting;
   const std::size_t limit = samples.size() + static_cast<std::size_t>(most);
   for (Index i = 0; i < static_cast<Index>(segments_.size()); ++i) {
@@ -141,30 +157,13 @@ bool Gaps::sample_walls(const BoundarySpacing& without_gaps, const SpacingOption
       const Piece piece = waiting.back();
       waiting.pop_back();
       const Vec2 middle = midpoint(piece.a, piece.b);
-      const double half = 0.5 * distance(piece.a, piece.b);
       const double known = without_gaps.at(middle, piece.bound);
-      const auto halve = [&] {
+      if (is_too_long(i, piece, known, options.growth, floor, samples)) {
+        const double half = 0.5 * distance(piece.a, piece.b);
         const double bound = known + 0.5 * options.growth * half;
         waiting.push_back({middle, piece.b, bound});
         waiting.push_back({piece.a, middle, bound});
-      };
-      // At rounding distance from each other the halves would be the piece again.
-      const bool atom = middle == piece.a || middle == piece.b;
-      // Short pieces see near walls only, and that is quick.
-      if (2 * half > known && !atom) {
-        halve();
-        continue;
       }
-      // Gap and spacing have bounded slopes: beyond this reach no point of the piece is concerned.
-      const double reach = known + half * (options.growth + 1 / edges_per_gap);
-      const double asked = spacing_at(i, middle, reach);
-      if (asked >= reach) continue;
-      const double spacing = std::max(asked, floor);
-      if (2 * half * edges_per_gap > spacing && !atom) {
-        halve();
-        continue;
-      }
-      if (spacing < known) samples.push_back({middle, spacing});
       if (samples.size() > limit) return false;
     }
   }

@@ -32,9 +32,16 @@ class Gaps {
                     double floor, Index most, std::vector<BoundarySpacing::Sample>& samples) const;
 
  private:
+  struct Piece {  // of a segment
+    Vec2 a, b;
+    double bound;  // of the spacing in the middle
+  };
+
   void find_corners();
   void mark_wedge(Index corner, Index first, const std::vector<Index>& next,
                   const std::vector<char>& sharp, bool ahead);
+  bool is_too_long(Index segment, const Piece& piece, double known, double growth, double floor,
+                   std::vector<BoundarySpacing::Sample>& samples) const;
   double spacing_at(Index segment, Vec2 p, double reach) const;
   bool shares_wedge(Index s, Index t, Index& corner) const;
 
