@@ -85,16 +85,18 @@ DirectionTerm direction_term(Vec2 edge, double squared, Vec2 pull) {
   return {length(pull) - turned.x, 4 * turned.y};
 }
 
+// The angles of a face: value, and its derivative by the angle at corner k, slope power[k].
 template <int N>
-Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit, double share,
-                    Vec2 pull, const EtaEnergyOptions& options, std::span<Vec2> gradient) {
+struct AngleTerm {
+  double value = 0, slope = 0;
+  std::array<double, N> power;
+};
+
+template <int N>
+AngleTerm<N> angle_term(const Corners<N>& corners, const std::array<double, N>& area,
+                        const EtaEnergyOptions& options) {
   constexpr double target = N == 4 ? 0.0 : 1.0 / 3.0;  // 90 or 60 degrees, from 90, over 90
-  const Corners<N> corners(face, points);
-  std::array<double, N> area, t, rounded, power;
-  double least = corners.area(0);
-  for (int k = 0; k < N; ++k) area[k] = corners.area(k);
-  for (int k = 1; k < N; ++k) least = std::min(least, area[k]);
-  if (!(least > 0)) return refused;
+  std::array<double, N> t, rounded;
   for (int k = 0; k < N; ++k) {
     const double lengths = std::sqrt(corners.squared[k] * corners.squared[Corners<N>::before(k)]);
     t[k] = corners.product(k) / (lengths + area[k]);
@@ -103,28 +105,58 @@ Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
   for (int k = 0; k < N; ++k) deviation[k] = target - (4 / pi) * deviation[k];
   const double rounding = options.rounding * options.rounding;
   for (int k = 0; k < N; ++k) rounded[k] = deviation[k] * deviation[k] + rounding;
+  AngleTerm<N> term;
   for (int k = 0; k < N; ++k) {
     const double third = rounded[k] * rounded[k] * rounded[k];
-    power[k] = third * deviation[k];
+    term.power[k] = third * deviation[k];
     rounded[k] *= third;
   }
   double total = 0;
   for (int k = 0; k < N; ++k) total += rounded[k];
   const double e = eighth_root(total), excess = std::max(0.0, e - options.floor_deviation);
-  double sum = e + options.floor_weight * excess * excess;
-  // d sum / d alpha_k = slope power_k: an angle enters its deviation with factor 2 / pi.
-  const double slope = (1 + 2 * options.floor_weight * excess) * (e / total) * (2 / pi);
-  const double size_weight = share * options.size_weight;
-  std::array<double, N> turn, stretch, misfit, damping;
+  term.value = e + options.floor_weight * excess * excess;
+  // An angle enters its deviation with factor 2 / pi.
+  term.slope = (1 + 2 * options.floor_weight * excess) * (e / total) * (2 / pi);
+  return term;
+}
+
+// The length terms of its edges: values, and derivatives by the edges, stretch[k] edge[k].
+template <int N>
+struct LengthTerms {
+  std::array<double, N> value, stretch;
+};
+
+template <int N>
+LengthTerms<N> length_terms(const Corners<N>& corners, const std::array<double, N>& inverse,
+                            double unit, double weight) {
+  LengthTerms<N> terms;
   for (int k = 0; k < N; ++k) {
-    const double inverse = 1 / corners.squared[k], s = corners.squared[k] * unit;
-    const double inverse_s = inverse / unit;
-    misfit[k] = s + inverse_s - 2;
-    damping[k] = 1 / (1 + misfit[k] / (s < 1 ? saturation_of_short : saturation));
-    turn[k] = slope * (power[(k + 1) % N] - power[k]) * inverse;
-    stretch[k] = 2 * size_weight * unit * (1 - inverse_s * inverse_s) * damping[k] * damping[k];
+    const double s = corners.squared[k] * unit, inverse_s = inverse[k] / unit;
+    const double misfit = s + inverse_s - 2;
+    const double damping = 1 / (1 + misfit / (s < 1 ? saturation_of_short : saturation));
+    terms.value[k] = weight * misfit * damping;
+    terms.stretch[k] = 2 * weight * unit * (1 - inverse_s * inverse_s) * damping * damping;
   }
-  for (int k = 0; k < N; ++k) sum += size_weight * misfit[k] * damping[k];
+  return terms;
+}
+
+template <int N>
+Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit, double share,
+                    Vec2 pull, const EtaEnergyOptions& options, std::span<Vec2> gradient) {
+  const Corners<N> corners(face, points);
+  std::array<double, N> area, inverse, turn;
+  double least = corners.area(0);
+  for (int k = 0; k < N; ++k) area[k] = corners.area(k);
+  for (int k = 1; k < N; ++k) least = std::min(least, area[k]);
+  if (!(least > 0)) return refused;
+  for (int k = 0; k < N; ++k) inverse[k] = 1 / corners.squared[k];
+  const AngleTerm<N> angles = angle_term<N>(corners, area, options);
+  const LengthTerms<N> lengths =
+      length_terms<N>(corners, inverse, unit, share * options.size_weight);
+  double sum = angles.value;
+  for (int k = 0; k < N; ++k)
+    turn[k] = angles.slope * (angles.power[(k + 1) % N] - angles.power[k]) * inverse[k];
+  for (int k = 0; k < N; ++k) sum += lengths.value[k];
   if (N == 4 && !(pull == Vec2{0, 0}))
     for (int k = 0; k < N; ++k) {
       const DirectionTerm term = direction_term(corners.edge[k], corners.squared[k], pull);
@@ -138,7 +170,7 @@ Evaluation eta_face(const Face& face, std::span<const Vec2> points, double unit,
     growth = term.slope;
   }
   for (int k = 0; k < N; ++k) {
-    Vec2 by_edge = turn[k] * perpendicular(corners.edge[k]) + stretch[k] * corners.edge[k];
+    Vec2 by_edge = turn[k] * perpendicular(corners.edge[k]) + lengths.stretch[k] * corners.edge[k];
     // Twice the area is e0 x e1 + e2 x e3.
     if (growth != 0)
       by_edge += (k % 2 == 0 ? -growth : growth) * perpendicular(corners.edge[k ^ 1]);

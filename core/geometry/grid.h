@@ -41,25 +41,21 @@ class PointGrid {
   /// own scale differs from h by more than a factor of about four are not seen.
   template <class Visit>
   bool any_near(Vec2 p, double h, double radius, Visit visit) const {
+    const auto is_met = [&](const Entry& entry) {
+      return std::abs(entry.point.x - p.x) <= radius && std::abs(entry.point.y - p.y) <= radius &&
+             visit(entry.id, entry.point);
+    };
     const int centre = level_of(h);
     const int low = std::max(centre - 2, first_level_), high = std::min(centre + 2, last_level_);
     for (int level = low; level <= high; ++level) {
       const double cell = std::ldexp(1.0, level);
-      const std::int64_t x0 = cell_of(p.x - radius, cell), x1 = cell_of(p.x + radius, cell);
-      const std::int64_t y0 = cell_of(p.y - radius, cell), y1 = cell_of(p.y + radius, cell);
-      for (std::int64_t by = y0 >> 3; by <= y1 >> 3; ++by)
-        for (std::int64_t bx = x0 >> 3; bx <= x1 >> 3; ++bx) {
+      const Cells cells{cell_of(p.x - radius, cell), cell_of(p.x + radius, cell),
+                        cell_of(p.y - radius, cell), cell_of(p.y + radius, cell)};
+      for (std::int64_t by = cells.y0 >> 3; by <= cells.y1 >> 3; ++by)
+        for (std::int64_t bx = cells.x0 >> 3; bx <= cells.x1 >> 3; ++bx) {
           const Index block = slot_of(level, bx, by).block;
-          if (block == none) continue;
-          const std::int64_t cx0 = std::max(x0, 8 * bx), cx1 = std::min(x1, 8 * bx + 7);
-          const std::int64_t cy0 = std::max(y0, 8 * by), cy1 = std::min(y1, 8 * by + 7);
-          for (std::int64_t iy = cy0; iy <= cy1; ++iy)
-            for (std::int64_t ix = cx0; ix <= cx1; ++ix)
-              for (Index e = heads_[64 * block + within(ix, iy)]; e != none; e = entries_[e].next)
-                if (std::abs(entries_[e].point.x - p.x) <= radius &&
-                    std::abs(entries_[e].point.y - p.y) <= radius &&
-                    visit(entries_[e].id, entries_[e].point))
-                  return true;
+          if (block != none && any_in_block(block, part_of_block(cells, bx, by), is_met))
+            return true;
         }
     }
     return false;
@@ -75,6 +71,23 @@ class PointGrid {
     Vec2 point;
     Index id = none, next = none;
   };
+
+  struct Cells {
+    std::int64_t x0, x1, y0, y1;  // first and last
+  };
+
+  static Cells part_of_block(const Cells& cells, std::int64_t bx, std::int64_t by) {
+    return {std::max(cells.x0, 8 * bx), std::min(cells.x1, 8 * bx + 7), std::max(cells.y0, 8 * by),
+            std::min(cells.y1, 8 * by + 7)};
+  }
+  template <class Test>
+  bool any_in_block(Index block, const Cells& cells, Test test) const {
+    for (std::int64_t iy = cells.y0; iy <= cells.y1; ++iy)
+      for (std::int64_t ix = cells.x0; ix <= cells.x1; ++ix)
+        for (Index e = heads_[64 * block + within(ix, iy)]; e != none; e = entries_[e].next)
+          if (test(entries_[e])) return true;
+    return false;
+  }
 
   static int level_of(double h) {
     int exponent = 0;
