@@ -39,6 +39,10 @@ inline Vec2 stretched(Vec2 v, Vec2 mu) {
 /// Limit of |mu|. Up to sigma_1 / sigma_2 = 1 + sqrt 2 the Delaunay triangles of a square lattice,
 /// stretched whichever way, are halves of its cells: |mu| = sqrt 2 - 1.
 inline constexpr double most_stretch = 0.41;
+/// What a vector may be before such a stretch, of length 1 after it, rounded up:
+/// sqrt((1 + most_stretch) / (1 - most_stretch)).
+inline constexpr double longest_unstretched = 1.55;
+static_assert(longest_unstretched * longest_unstretched * (1 - most_stretch) > 1 + most_stretch);
 
 struct Fields {
   TriMesh background;
@@ -81,7 +85,7 @@ struct Fields {
     return stretch.empty() ? v : stretched(v, -stretch_at(p, hint));
   }
   /// What a vector of length 1 after the stretch may be in the plane.
-  double longest_step() const { return stretch.empty() ? 1 : 1.55; }
+  double longest_step() const { return stretch.empty() ? 1 : longest_unstretched; }
   StretchSample sample_stretch(Vec2 p, Index& hint) const;
   /// |grad h|, constant in each triangle of the background.
   double slope(Vec2 p, Index& hint) const;

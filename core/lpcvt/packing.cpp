@@ -41,9 +41,14 @@ Vec2 nearest_arm(Vec2 axis, Vec2 d) {
   return across >= 0 ? perpendicular(axis) : -perpendicular(axis);
 }
 
+// Half the diagonal of a square over half its side, rounded up.
+constexpr double to_corner = 1.4143;
+static_assert(to_corner * to_corner > 2);
+
+// No other point in the square about p along the cross.
 bool is_free(const Packing& packing, Vec2 p, const Fields& fields, const FieldSample& f, Index t,
              double separation) {
-  const double least = separation * f.h, reach = 1.4143 * fields.longest_step() * least;
+  const double least = separation * f.h, reach = to_corner * fields.longest_step() * least;
   return !packing.grid.any_near(p, f.h, reach, [&](Index, Vec2 q) {
     const Vec2 way = fields.stretched_at(p, q - p, t);
     return std::abs(dot(f.axis, way)) < least && std::abs(cross(f.axis, way)) < least;
