@@ -32,11 +32,11 @@ Result<Outcome> mesh_domain(const DomainInput& input, const Options& options, Mo
     if (before == Stage::optimise) log.add(iterations_done(*mesher), mesher->triangles());
   }
   if (trace != nullptr) {
-    *trace = *mesher->trace();
+    *trace = mesher->take_trace();
     const bool optimised = !mesher->report().energy_history.empty();
     if (optimised) trace->iterates = log.take();  // of another chain, if not
   }
-  return Outcome{mesher->output(), mesher->report()};
+  return Outcome{mesher->take_output(), mesher->take_report()};
 }
 
 }  // namespace lpq

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "base/result.h"
 #include "domain/domain.h"
@@ -59,6 +60,11 @@ class Mesher {
   /// result.
   void keep_trace();
   const Trace* trace() const { return trace_ ? &*trace_ : nullptr; }
+
+  /// Once done, instead of copies: each leaves nothing behind.
+  OutputMesh take_output() { return std::move(output_); }
+  Report take_report() { return std::move(report_); }
+  Trace take_trace() { return std::move(*trace_); }
 
  private:
   struct Candidate {

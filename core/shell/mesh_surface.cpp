@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/share_out.h"
 #include "base/words.h"
@@ -89,6 +90,7 @@ class SurfaceMesher::Run {
     return stage_ == SurfaceStage::mesh ? rounds_->mesh() : outcome_.mesh;
   }
   const ShellOutcome& outcome() const { return outcome_; }
+  ShellOutcome take() { return std::move(outcome_); }
 
  private:
   StageTimer timed(const char* stage) { return {outcome_.report.times, stage}; }
@@ -306,6 +308,7 @@ double SurfaceMesher::share() const { return run_->share(); }
 const ChartsMesher* SurfaceMesher::charts() const { return run_->charts(); }
 const ShellMesh& SurfaceMesher::mesh() const { return run_->mesh(); }
 const ShellOutcome& SurfaceMesher::outcome() const { return run_->outcome(); }
+ShellOutcome SurfaceMesher::take() { return run_->take(); }
 
 const char* stage_name(SurfaceStage stage) {
   constexpr const char* names[] = {"features", "field", "charts", "mesh", "seams", "shape", "done"};
@@ -335,7 +338,7 @@ Result<ShellOutcome> mesh_surface(SurfaceSoup soup, const SurfaceOptions& option
     if (threads > 1 && !mesher->mesh_planes(threads, monitor)) return cancelled;
     if (const auto stage = mesher->step(); !stage) return stage.error();
   }
-  return mesher->outcome();
+  return mesher->take();
 }
 
 }  // namespace lpq

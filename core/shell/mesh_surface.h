@@ -50,6 +50,8 @@ class SurfaceMesher {
   const ChartsMesher* charts() const;   // while they are meshed; nullptr before and after
   const ShellMesh& mesh() const;        // of these charts, or of all
   const ShellOutcome& outcome() const;  // whole once done
+  /// Once done, instead of a copy: surface(), atlas(), mesh() and outcome() are empty after it.
+  ShellOutcome take();
 
  private:
   class Run;
