@@ -20,8 +20,7 @@ namespace {
 // Final smoothing when the caller leaves the choice to us, and its iterations per step.
 constexpr int paper_smoothing = 100, best_smoothing = 300, long_smoothing = 600;
 constexpr int smoothing_block = 100;
-constexpr double fine_rounding = 0.003;  // of the final smoothing, after a block of the coarse one
-constexpr double least_gain = 2e-4;      // of mean eta, that another block is worth
+constexpr double least_gain = 2e-4;  // of mean eta, that another block is worth
 constexpr int seeds_per_step = 50;
 
 AttemptGrounds grounds_of(const Preparation& prepared) {

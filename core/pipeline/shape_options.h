@@ -10,6 +10,9 @@
 
 namespace lpq {
 
+/// Rounding of the final smoothing after its first iterations, which have the coarse one.
+inline constexpr double fine_rounding = 0.003;
+
 SmoothOptions shape_smoothing(const Options& options);
 PatchOptions patch_options(const Options& options);
 /// What high effort adds, to a mesh that has been through those.

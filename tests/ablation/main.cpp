@@ -32,10 +32,10 @@ namespace {
 struct Variant {
   const char* name;
   bool cavities = true, patches = true, rounded = true, annealed = false;
-  int restarts = -1;   // of L_p from an isotropic start; -1 = the aligned start, no L_p
-  double size = 0.12;  // Options::size_weight
+  int restarts = -1;  // of L_p from an isotropic start; -1 = the aligned start, no L_p
+  double size = Options{}.size_weight;
   int smoothing = 300;
-  std::vector<PatchPass> passes{{20}, {60}, {200}};
+  std::vector<PatchPass> passes = PatchOptions{}.passes;
 };
 
 const Variant variants[] = {
@@ -93,34 +93,26 @@ Result<TriMesh> triangles_with(const Variant& variant, const Preparation& prepar
 QuadMesh mesh_with(const Variant& variant, const Preparation& prepared) {
   const auto triangles = triangles_with(variant, prepared);
   if (!triangles) return {};
-  CleanupOptions cleanup;
+  const Options options{.size_weight = variant.size};
+  CleanupOptions cleanup = cleanup_before_patches(options);
   cleanup.topology = variant.cavities;
-  cleanup.smoothing_iterations = 20;
-  cleanup.size_weight = 0.5 * variant.size;
-  cleanup.rounding = variant.rounded ? coarse_rounding : 1e-4;
+  SmoothOptions smoothing = shape_smoothing(options);
+  PatchOptions patches = patch_options(options);
+  patches.passes = variant.passes;
+  if (variant.rounded) smoothing.rounding = coarse_rounding;
+  cleanup.rounding = patches.energy.rounding = smoothing.rounding;
   QuadMesh mesh = recombine(*triangles, prepared.fields, {}).mesh;
   mesh = clean_up(std::move(mesh), prepared.fields, cleanup).mesh;
-  SmoothOptions smoothing{.iterations = 100,
-                          .size_weight = 0.5 * variant.size,
-                          .area_weight = 2 * variant.size,
-                          .rounding = cleanup.rounding};
-  if (variant.patches) {
-    PatchOptions options;
-    options.passes = variant.passes;
-    options.energy = {.size_weight = smoothing.size_weight,
-                      .area_weight = smoothing.area_weight,
-                      .rounding = smoothing.rounding};
-    remesh(options, prepared.fields, mesh);
-  }
+  if (variant.patches) remesh(patches, prepared.fields, mesh);
   const auto finish = [&] {
     for (int done = 0; done < variant.smoothing; done += smoothing.iterations) {
       smooth_eta(mesh, prepared.fields, smoothing);
-      if (variant.rounded) smoothing.rounding = 0.003;
+      if (variant.rounded) smoothing.rounding = fine_rounding;
     }
   };
   finish();
   if (!variant.annealed) return mesh;
-  remesh(annealing_options({}), prepared.fields, mesh);
+  remesh(annealing_options(options), prepared.fields, mesh);
   smoothing.rounding = coarse_rounding;
   finish();
   return mesh;
