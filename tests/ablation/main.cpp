@@ -1,7 +1,7 @@
 // lpquad_ablation [--refine N] DOMAIN.json ...: what each step after the matching is worth. Runs
 // the chain on every domain, boundary kept (refined where it cannot be; with --refine everywhere,
-// the size an Nth of the diagonal), with steps left out one at a time, and prints the table of the
-// README.
+// the size an Nth of the diagonal), with steps left out one at a time, and prints the table of
+// tests/FIGURES.md.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

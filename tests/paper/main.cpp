@@ -1,5 +1,5 @@
 // lpquad_paper OUT_DIR: reproduces the experiments of the paper, writes their pictures as SVG and
-// prints the table of the README.
+// prints the tables of tests/FIGURES.md.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
