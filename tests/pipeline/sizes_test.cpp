@@ -167,14 +167,26 @@ TEST_CASE("sizes that doubles cannot hold are refused at points, too") {
   CHECK(code(1e-3) == ErrorCode::cancelled);
 }
 
-TEST_CASE("where L_p has no energy to begin with, a session says zero") {
+TEST_CASE("the energy of the least sizes is a number, and zero where no L_p runs") {
   for (const double h : {1e-13, 1e-14}) {
     DomainInput input = sized(square(1), 0.1, {{{0.37, 0.41}, h}});
     input.seeds = {{0.37, 0.41}, {0.2, 0.2}};
     auto session = Session::start(input, {.norm = 20});
     REQUIRE(session);
     REQUIRE(session->step(1));
+    REQUIRE(session->mesher().stage() == Stage::optimise);
     CHECK(session->mesher().iterations() == 0);
-    CHECK(session->mesher().gradient_norm() == 0);
+    for (const double value : {session->mesher().energy(), session->mesher().gradient_norm()}) {
+      CHECK(value > 0);
+      CHECK(std::isfinite(value));
+    }
+  }
+  auto aligned = Session::start(sized(square(1), 0.1, {}));
+  REQUIRE(aligned);
+  for (int step = 0; step < 2; ++step) {
+    CHECK(aligned->mesher().iterations() == 0);
+    CHECK(aligned->mesher().energy() == 0);
+    CHECK(aligned->mesher().gradient_norm() == 0);
+    REQUIRE(aligned->step(1));
   }
 }
