@@ -86,3 +86,12 @@ test('the longest edge that is no other region\'s', () => {
   assert.deepEqual(model.longestEdge(wide, 0), place(0, 0, 3));
   assert.equal(model.areaOf(wide), 6);
 });
+
+test('the area of a drawing is what would be meshed', () => {
+  const square = (from, to) => [[from, from], [to, from], [to, to], [from, to]];
+  assert.equal(model.areaOf(drawing()), 0);
+  assert.equal(model.areaOf(drawing(region([]))), 0);
+  assert.equal(model.areaOf(drawing(region([square(1, 2).reverse(), square(0, 4)]), region([square(5, 6)]))), 16);
+  const all = square(0, 4);
+  assert.equal(model.areaOf(drawing(region([all, all, all, all]))), 0, 'while it is drawn, holes may be more than their outline');
+});

@@ -3,7 +3,8 @@ import { test } from 'node:test';
 import { createLpquad } from '../../dist/node.js';
 import { mainOptions, nameOfOption, numberOf, placeOf, problemWith, rangeInWords, sizeAt, sizeRange, valueOf, withOption, withSize } from '../../web/mesh/options.js';
 import { unitBall } from '../../web/mesh/unit_ball.js';
-import { areaOf, coarse } from '../../web/run/preview.js';
+import { coarse } from '../../web/run/preview.js';
+import { areaOf } from '../../web/sketch/model/drawing.js';
 import { presets } from '../../web/sketch/presets.js';
 
 const { options: infos } = await createLpquad();

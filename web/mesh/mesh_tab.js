@@ -3,7 +3,7 @@
 /** @import { MakeField } from './form.js' */
 import { h, withSubscripts } from '../panels/dom.js';
 import { icon } from '../panels/icons.js';
-import { areaOf } from '../run/preview.js';
+import { areaOf } from '../sketch/model/drawing.js';
 import { createChoices, createNumber, createSlider, frame } from './fields.js';
 import { installForm } from './form.js';
 import { mainOptions, sizeRange, valueOf } from './options.js';

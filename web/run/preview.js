@@ -1,32 +1,13 @@
 // A coarse mesh of a drawing that is still changing: a second worker meshes what is newest, one at a
 // time, while the run of the real thing waits.
 /** @import { LpquadWorker } from 'lpquad/worker' */
-/** @import { Drawing, Point, Project, Snapshot } from '../types' */
+/** @import { Project, Snapshot } from '../types' */
 import { withSize } from '../mesh/options.js';
+import { areaOf } from '../sketch/model/drawing.js';
 import { toCall } from '../state/project.js';
 
 const expected = 400;  // quads: enough to see the flow, few enough to follow a hand
 const budget = 40;     // milliseconds after which a mesh that is whole is good enough
-
-/** @param {Point[]} loop */
-function signedArea(loop) {
-  let twice = 0;
-  loop.forEach(([x, y], i) => {
-    const [u, v] = loop[(i + 1) % loop.length];
-    twice += x * v - u * y;
-  });
-  return twice / 2;
-}
-
-/** Of the regions without their holes. @param {Drawing} drawing */
-export function areaOf({ regions }) {
-  let area = 0;
-  for (const { loops } of regions) {
-    const areas = loops.map((loop) => Math.abs(signedArea(loop)));
-    if (areas.length > 0) area += 2 * Math.max(...areas) - areas.reduce((sum, one) => sum + one, 0);
-  }
-  return Math.max(area, 0);
-}
 
 /** @type {Project['options']} */
 const quick = { method: 'best', effort: 'normal', iterations: 0, smoothing: 0, maxElements: 50000 };

@@ -290,11 +290,11 @@ export function diagonalOf(drawing) {
   return left < Infinity ? Math.hypot(right - left, top - bottom) || 1 : 1;
 }
 
-/** @param {Drawing} drawing */
-export const areaOf = ({ regions }) => regions.reduce((sum, region) => {
+/** Of the regions without their holes; 0 where those are more than there is. @param {Drawing} drawing */
+export const areaOf = ({ regions }) => Math.max(0, regions.reduce((sum, region) => {
   const outline = outlineOf(region);
-  return sum + region.loops.reduce((area, loop, i) => area + (i === outline ? 1 : -1) * Math.abs(signedArea(loop)), 0);
-}, 0);
+  return sum + region.loops.reduce((area, loop, i) => area + (i === outline ? 1 : -1) * extentOf(loop), 0);
+}, 0));
 
 /** The region a point lies in, -1 if in none. @param {Drawing} drawing  @param {Point} p */
 export const regionAt = ({ regions }, p) =>
