@@ -1,13 +1,14 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { createLpquad } from '../../dist/node.js';
+import { helpInWords, isAutomatic, phrases } from '../../web/mesh/help.js';
 import { mainOptions, nameOfOption, numberOf, placeOf, problemWith, rangeInWords, sizeAt, sizeRange, valueOf, withOption, withSize } from '../../web/mesh/options.js';
 import { unitBall } from '../../web/mesh/unit_ball.js';
 import { coarse } from '../../web/run/preview.js';
 import { areaOf } from '../../web/sketch/model/drawing.js';
 import { presets } from '../../web/sketch/presets.js';
 
-const { options: infos } = await createLpquad();
+const { options: infos, surfaceOptions } = await createLpquad();
 const info = (name) => infos.find((one) => one.name === name);
 
 test('every option of the library has a name, and all that are shown first exist', () => {
@@ -19,7 +20,7 @@ test('every option of the library has a name, and all that are shown first exist
 test('what the mesher refuses is refused in words, and nothing else', () => {
   for (const [name, text, words] of [
     ['norm', '', /number is needed/], ['norm', 'six', /number is needed/], ['norm', '1.9', /At least 2/], ['norm', '21', /At most 20/],
-    ['norm', 'Infinity', /At most 20/], ['iterations', '2.5', /whole number/], ['iterations', '-2', /At least -1/], ['size', '-1', /At least 0/],
+    ['norm', 'Infinity', /At most 20/], ['iterations', '2.5', /whole number/], ['iterations', '-2', /At least 0/], ['size', '-1', /At least 0/],
   ]) assert.match(problemWith(info(name), text), words);
   for (const [name, text] of [['norm', '6'], ['norm', ' 2,5 '], ['iterations', '-1'], ['size', '1e-3'], ['seed', '9007199254740991']])
     assert.equal(problemWith(info(name), text), '', `${name} ${text}`);
@@ -29,6 +30,25 @@ test('what the mesher refuses is refused in words, and nothing else', () => {
   assert.equal(numberOf('12,345,678', true), 12345678);
   for (const text of ['1,5', '0,125', '1000,5']) assert.ok(!Number.isInteger(numberOf(text, true)), text);
   assert.ok(Number.isNaN(numberOf('1,000.000', true)));
+});
+
+test('what the page says about an option is about the page', () => {
+  const all = [...infos, ...surfaceOptions];
+  for (const one of all) {
+    const text = helpInWords(one);
+    assert.doesNotMatch(text, /\b[a-z]+[A-Z]|--|-1|domain's own/, `${one.name}: a name of the code, or a number that stands for something`);
+    if (isAutomatic(one)) assert.doesNotMatch(text, new RegExp(`(^|; )${one.default}\\b`), one.name);
+    for (const choice of one.choices ?? []) if (choice.includes('-')) assert.ok(!text.includes(choice), `${one.name}: ${choice}`);
+    assert.ok(text.length > 0.4 * one.help.length, one.name);
+    assert.doesNotMatch(rangeInWords(one), /-1|\d{5}/, one.name);
+  }
+  const said = (name) => helpInWords(info(name));
+  assert.match(said('size'), /; automatic: about 1000 quads/);
+  assert.match(said('iterations'), /; automatic: 80/);
+  assert.match(said('simplify'), /not with “Keep the boundary”/);
+  assert.match(helpInWords(surfaceOptions.find(({ name }) => name === 'smoothing')), /; automatic leaves it to the mesher/);
+  for (const [theirs] of phrases) assert.ok(all.some(({ help }) => theirs.test(help)), `nothing to replace: ${theirs}`);
+  assert.equal(helpInWords({ name: 'new', help: 'As ever.', default: 1 }), 'As ever.');
 });
 
 test('only what differs from the defaults is kept', () => {

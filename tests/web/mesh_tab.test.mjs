@@ -1,6 +1,7 @@
 // The Mesh tab, as a person uses it: drags, types, chooses, errs, takes back.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { helpInWords } from '../../web/mesh/help.js';
 import { finished, startPlayground } from './support.mjs';
 
 let playground, page;
@@ -70,7 +71,7 @@ test('p is chosen by its ball, or typed', async () => {
 test('what cannot be is refused in words, and nothing changes', async () => {
   const before = await options();
   const input = field('Iterations').getByRole('textbox');
-  for (const [text, words] of [['2.5', 'A whole number is needed.'], ['many', 'A number is needed.'], ['-7', 'At least -1.']]) {
+  for (const [text, words] of [['2.5', 'A whole number is needed.'], ['many', 'A number is needed.'], ['-7', 'At least 0.']]) {
     await input.fill(text);
     await page.keyboard.press('Enter');
     assert.equal(await field('Iterations').getByRole('alert').textContent(), words);
@@ -85,10 +86,10 @@ test('what cannot be is refused in words, and nothing changes', async () => {
 test('every option of the library is there, explained, and arrives at the mesher', async () => {
   await page.getByText('More options').click();
   const described = await page.evaluate(async () => (await (await globalThis.playground.runner.engine()).ready()).options);
-  for (const { name, help } of described) {
-    const element = page.locator(`[data-option="${name}"]`);
+  for (const info of described) {
+    const { name } = info, element = page.locator(`[data-option="${name}"]`);
     assert.equal(await element.count(), 1, name);
-    assert.ok((await element.textContent()).includes(help.replaceAll('L_p', 'Lp')), name);  // with a lower p
+    assert.ok((await element.textContent()).includes(helpInWords(info).replaceAll('L_p', 'Lp')), name);  // with a lower p
   }
   const { seed } = await options();
   await field('Method').getByRole('radio', { name: 'best' }).check();

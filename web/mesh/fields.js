@@ -4,6 +4,7 @@
 /** @import { Value } from './options.js' */
 import { h, setText, withSubscripts } from '../panels/dom.js';
 import { icon } from '../panels/icons.js';
+import { helpInWords, isAutomatic, wordsOf } from './help.js';
 import { inWords, nameOfOption, numberOf, problemWith, rangeInWords } from './options.js';
 
 /**
@@ -17,7 +18,7 @@ export function frame(info, give, /** @type {Node[]} */ ...controls) {
   const reset = h('button', { type: 'button', className: 'reset', title: `Back to ${inDefault(info)}`,
     'aria-label': `${name}: back to ${inDefault(info)}`, onclick: () => give(info.default) }, icon('again'));
   const range = rangeInWords(info);
-  const help = h('p', { className: 'help', id: `help-${info.name}` }, ...withSubscripts(info.help), range && ` (${range})`);
+  const help = h('p', { className: 'help', id: `help-${info.name}` }, ...withSubscripts(helpInWords(info)), range && ` (${range})`);
   const title = h('span', { id: `name-${info.name}`, className: 'option-name' }, name);
   const element = h('div',
     { className: 'option', role: 'group', 'aria-labelledby': `name-${info.name}`, 'data-option': info.name },
@@ -26,9 +27,7 @@ export function frame(info, give, /** @type {Node[]} */ ...controls) {
 }
 
 /** @param {OptionInfo} info */
-function inDefault({ name, default: usual }) {
-  return usual === -1 || (['size', 'quads'].includes(name) && usual === 0) ? 'automatic' : String(usual);
-}
+const inDefault = (info) => (isAutomatic(info) ? 'automatic' : String(info.default));
 
 /** @param {OptionInfo} info  @param {Give} give @returns {Field} */
 export function createField(info, give) {
@@ -60,7 +59,7 @@ export function createNumber(info, give) {
     shown = value;
     setText(problem, '');
     input.removeAttribute('aria-invalid');
-    input.value = value === info.default && inDefault(info) === 'automatic' ? 'automatic' : inWords(Number(value));
+    input.value = value === info.default && isAutomatic(info) ? 'automatic' : inWords(Number(value));
   }
   return { element: h('div', { className: 'number' }, input, problem), show };
 }
@@ -84,7 +83,7 @@ function choiceField(info, give) {
 
 /** Radio buttons in a row.
  * @param {string} name  @param {Value[]} values  @param {Give} give  @param {(value: any) => Node | string} [look] */
-export function createChoices(name, values, give, look = (value) => String(value).replace('-', ' ')) {
+export function createChoices(name, values, give, look = wordsOf) {
   const radios = values.map((value) =>
     h('input', { type: 'radio', name: `option-${name}`, value: String(value), onchange: () => give(value) }));
   const element = h('div', { className: 'choices', role: 'radiogroup', 'aria-labelledby': `name-${name}`,

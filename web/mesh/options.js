@@ -47,10 +47,13 @@ export function problemWith(info, text) {
   const value = numberOf(text, info.type === 'integer');
   if (text.trim() === '' || Number.isNaN(value)) return 'A number is needed.';
   if (info.type === 'integer' && !Number.isInteger(value)) return 'A whole number is needed.';
-  if (info.min !== undefined && value < info.min) return `At least ${inWords(info.min)}.`;
+  if (info.min !== undefined && value < info.min) return `At least ${inWords(leastOf(info))}.`;
   if (info.max !== undefined && value > info.max) return `At most ${inWords(info.max)}.`;
   return '';
 }
+
+/** -1 is a word here: automatic. @param {OptionInfo} info */
+const leastOf = ({ min = 0, default: usual }) => (usual === -1 ? 0 : min);
 
 const grouped = /^[1-9]\d{0,2}(?:([.,\s’'])\d{3})(?:\1\d{3})*$/;
 
@@ -63,10 +66,11 @@ export const numberOf = (text, whole = false) =>
 export const inWords = (number) => (Math.abs(number) >= 1e16 ? number.toExponential() : String(number));
 
 /** The numbers that an option takes, in words. @param {OptionInfo} info */
-export function rangeInWords({ type, min, max, unit }) {
+export function rangeInWords(info) {
+  const { type, min, max, unit } = info;
   if (type !== 'number' && type !== 'integer') return '';
-  const bounded = max !== undefined && max < 1e15;
-  const range = min === undefined ? '' : bounded ? `${inWords(min)} to ${inWords(max)}` : `${inWords(min)} or more`;
+  const bounded = max !== undefined && max < 1e15, least = inWords(leastOf(info));
+  const range = min === undefined ? '' : bounded ? `${least} to ${max.toLocaleString('en')}` : `${least} or more`;
   const kind = type === 'integer' ? 'whole number' : '';
   return [kind, range, unit === 'length' ? 'in the unit of the coordinates' : unit].filter(Boolean).join(', ');
 }
