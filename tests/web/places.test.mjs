@@ -25,6 +25,9 @@ for (const [width, height] of sizes)
     const before = await places(page);
     const numbers = page.locator('.selection-section').getByLabel('x', { exact: true });
     assert.equal(await numbers.isDisabled(), true);
+    const none = page.locator('.selection-section').getByText('No vertex is chosen.');
+    assert.equal(await page.locator('.selection-section input:visible').count(), 0, 'empty fields of nothing');
+    assert.equal(await none.isVisible(), true);
     const corner = await page.evaluate(() => {
       const { view, overlay } = globalThis.playground.stage, { left, top } = overlay.getBoundingClientRect();
       return { x: left + view.scale * (0 - view.left), y: top + view.scale * (view.top - 0) };
@@ -38,6 +41,8 @@ for (const [width, height] of sizes)
       await drawn(page);
       assert.deepEqual(await places(page), before, String(what));
       assert.equal(await numbers.isDisabled(), false);
+      assert.equal(await numbers.isVisible(), true);
+      assert.equal(await none.isVisible(), false);
       for (let i = 0; i < 4; ++i) await page.locator('[data-action="vertex.next"]').evaluate((button) => button.click());
     }
     assert.deepEqual(page.errors, []);

@@ -25,14 +25,17 @@ export function selectionSection({ actions, stage }, sketch) {
   );
   const name = h('p', { className: 'hint in-one-line' });
   const coordinates = vertexFields(sketch), shape = shapeFields(sketch, path), tag = tagField(sketch);
-  // There without a vertex, too: what is below must not jump when one is chosen.
+  // Keep their room without a vertex, too: what is below must not jump when one is chosen.
   const details = h('fieldset', { className: 'chosen-fields', 'aria-label': 'Numbers of the chosen vertex' },
     h('div', { className: 'fields' }, ...coordinates.map(({ element }) => element), tag.element),
     h('div', { className: 'one-of' }, ...shape.groups.map(({ element }) => element)));
+  const some = h('div', null, name, details);
+  const none = h('p', { className: 'hint' }, 'No vertex is chosen. Choose one on the stage, or with the first two buttons: its place, '
+    + 'the name of its edge and the extent of its outline are then here, to be changed as numbers.');
   const element = h('section', { className: 'selection-section', 'aria-label': 'Chosen vertex' },
     h('div', { className: 'buttons', role: 'group', 'aria-label': 'Vertices' },
       ...['vertex.previous', 'vertex.next', 'vertex.add', 'vertex.remove', 'outline.remove', 'sketch.whole'].map((id) => actions.button(id))),
-    name, details);
+    h('div', { className: 'chosen-or-none' }, some, none));
 
   let wasChosen = false;
   const refresh = () => {
@@ -40,7 +43,9 @@ export function selectionSection({ actions, stage }, sketch) {
     if (chosen() !== wasChosen) actions.refresh();
     wasChosen = chosen();
     details.disabled = selected === null;
-    setText(name, selected ? nameOf(sketch.drawing, selected) : 'No vertex chosen.');
+    some.classList.toggle('away', selected === null);
+    none.classList.toggle('away', selected !== null);
+    setText(name, selected ? nameOf(sketch.drawing, selected) : '\u00a0');
     for (const field of coordinates) field.refresh();
     tag.refresh();
     shape.refresh();
