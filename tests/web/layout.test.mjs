@@ -232,3 +232,16 @@ test('what snaps stands in line with its fields', () => onPage({ hash: '#preset=
     [...section.querySelectorAll('button, input, select')].map((one) => one.getBoundingClientRect().bottom));
   assert.ok(bottoms.length > 4 && Math.max(...bottoms) - Math.min(...bottoms) < 1, String(bottoms));
 }));
+
+for (const place of ['#preset=square', 'space.html#preset=saddle&size=0.25'])
+  test(`on a phone the bar for the run takes two rows, with all of it large enough to hit: ${place}`, () => onPage({ hash: place, touch: true, width: 360, height: 740 }, async (page) => {
+    for (const width of [320, 360, 390]) {
+      await page.setViewportSize({ width, height: 740 });
+      const [bar, ...boxes] = await page.locator('#timeline').evaluate((element) =>
+        [element, ...element.querySelectorAll('button, select, input, progress')].map((one) => one.getBoundingClientRect().toJSON()));
+      assert.ok(bar.height <= 2 * 44 + 20, `${width} px: ${bar.height} px high`);
+      for (const box of boxes) assert.ok(box.left >= 0 && box.right <= width && box.width >= 28, `${width} px: ${JSON.stringify(box)}`);
+      const name = await page.locator('.stage-name').boundingBox();
+      assert.ok(name.width >= 110 && name.x + name.width <= width, `${width} px: ${JSON.stringify(name)}`);
+    }
+  }));

@@ -10,6 +10,7 @@ test('every chapter has 80 to 120 words, a formula in MathML, its words, and its
   assert.equal(new Set(chapters.map(({ id }) => id)).size, 7);
   for (const { id, text, formula, spoken, source } of chapters) {
     const words = text.trim().split(/\s+/).length;
+    for (const part of text.split('\n\n')) assert.ok(part.trim().split(/\s+/).length <= 60, `${id}: a wall of text`);
     assert.ok(words >= 80 && words <= 120, `${id}: ${words} words`);
     assert.match(formula, /^<m\w+>/);
     assert.ok(spoken.length > 20 && !/["<&]/.test(spoken));
@@ -270,3 +271,20 @@ test('the last chapter leads back to the drawing, and no further', async () => {
   assert.deepEqual(page.errors, []);
   await page.context().close();
 });
+
+for (const [width, height] of [[320, 740], [360, 640], [360, 740], [390, 844], [1440, 900]])
+  test(`the way on is in sight in every chapter, and the text has room: ${width} x ${height}`, async () => {
+    const page = await playground.open({ width, height, touch: width < 500, hash: `#chapter=${chapters[0].id}` });
+    await chapterOpen(page, 0);
+    for (let k = 0; k < chapters.length; ++k) {
+      const body = page.locator('#panel-learn');
+      const [on, panel] = await body.evaluate((element) => [element.querySelector('.onwards .primary'), element].map((one) => one.getBoundingClientRect().toJSON()));
+      assert.ok(on.top >= panel.top && on.bottom <= Math.min(panel.bottom, height), `${chapters[k].id}: ${JSON.stringify(on)}`);
+      assert.equal(await body.evaluate((element) => element.scrollTop), 0);
+      assert.ok(on.top - panel.top > 0.25 * height, `${chapters[k].id}: ${on.top - panel.top} px for the text`);
+      assert.equal(await page.locator('article > p:not(.quiet)').count(), chapters[k].text.split('\n\n').length);
+      if (k < chapters.length - 1) await page.locator('.onwards .primary').click();
+    }
+    assert.deepEqual(page.errors, []);
+    await page.context().close();
+  });

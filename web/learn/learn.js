@@ -69,17 +69,19 @@ export function installLearn(app) {
 
 /** @param {Chapter} chapter  @param {number} k  @param {App} app */
 function pageOf({ title, text, formula, spoken, source }, k, { actions }) {
-  const onwards = k < chapters.length - 1 ? ['learn.next', 'learn.leave'] : ['learn.leave'];
-  const buttons = onwards.map((id, i) => actions.button(id, { labelled: true, className: i === 0 ? 'primary' : '' }));
+  const last = k === chapters.length - 1;
+  const onwards = actions.button(last ? 'learn.leave' : 'learn.next', { labelled: true, className: 'primary' });
   const math = h('div', { className: 'formula' });
   const calm = formula.replace(/<mo>([()‖])<\/mo>/g, '<mo stretchy="false">$1</mo>');
   math.innerHTML = `<math display="block" aria-label="${spoken}">${calm}</math>`;  // ours, from chapters.js
   return [
     h('p', { className: 'quiet' }, `${k + 1} of ${chapters.length}`),
     h('h2', { tabIndex: -1 }, title),
-    h('p', null, text.replace(/\s+/g, ' ')),
+    ...text.split('\n\n').map((part) => h('p', null, part.trim().replace(/\s+/g, ' '))),
     h('figure', null, math, h('figcaption', null, source)),
-    h('div', { className: 'buttons' }, actions.button('learn.previous'), buttons[0],
-      actions.button('learn.watch', { labelled: true }), actions.button('learn.figure', { labelled: true }), ...buttons.slice(1)),
+    h('div', { className: 'buttons' }, actions.button('learn.watch', { labelled: true }), actions.button('learn.figure', { labelled: true }),
+      last ? null : actions.button('learn.leave', { labelled: true })),
+    // Comes last and stays in sight: no phone shows the end of a chapter at once.
+    h('div', { className: 'buttons onwards' }, actions.button('learn.previous'), onwards),
   ];
 }
