@@ -183,3 +183,36 @@ test('pictures: SVG that an XML parser reads, PNG of the size asked for', async 
   server.close();
   await page.context().close();
 });
+
+for (const [width, height] of [[360, 740], [1440, 900]])
+  test(`what the colours mean is said on the stage, beside the drawing: ${width} px`, async () => {
+    const page = await playground.open({ width, height, hash: '#preset=plate', touch: width < 500 });
+    await finished(page);
+    const key = page.locator('#stage .key');
+    await key.filter({ hasText: /≤ 0.5.*Quality η.*1.*one quad too many/ }).waitFor();
+    assert.equal(await key.locator('.ramp').count(), 1);
+    assert.doesNotMatch(await key.textContent(), /quads,|mean/, 'how many there are is for the panel');
+    const box = await key.boundingBox(), stage = await page.locator('#stage').boundingBox();
+    const bottom = (await placeOf(page, 0, 0))[1];
+    assert.ok(box.y >= bottom && box.y + box.height <= stage.y + stage.height, `${JSON.stringify(box)} over the drawing, which ends at ${bottom}`);
+    await page.keyboard.press('9');  // quality off
+    await key.filter({ hasNotText: 'Quality' }).waitFor();
+    await page.keyboard.press('5');
+    await key.filter({ hasText: /directions of the sides.*five quads will meet/ }).waitFor();
+    for (const name of ['5', '0']) await page.keyboard.press(name);
+    await page.waitForFunction(() => document.querySelector('.key').childElementCount === 0);
+    assert.deepEqual(page.errors, []);
+    await page.context().close();
+  });
+
+test('in space the key lies in the view of the surface', async () => {
+  const page = await playground.open({ hash: 'space.html#preset=saddle&size=0.25' });
+  await finished(page);
+  await page.keyboard.press('7');
+  await page.locator('#space-view .key', { hasText: /Quality η/ }).waitFor();
+  await page.keyboard.press('3');
+  await page.locator('#space-view .key', { hasText: /directions of the sides/ }).waitFor();
+  assert.equal(await page.locator('#space-view .key').evaluate((key) => getComputedStyle(key).pointerEvents), 'none');
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});

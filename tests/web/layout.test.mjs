@@ -72,8 +72,8 @@ test('L with a lower p is one word where meshes are compared', () => onPage({}, 
 test('the ends of a ramp are never broken, and what is between them is level', async () => {
   const page = await playground.open({ hash: '#chapter=norm', width: 768, height: 1024 });
   await page.getByRole('tab', { name: 'Layers' }).click();
-  await page.locator('.ramp-ends', { hasText: '≥ 4' }).waitFor();
-  const boxes = await page.locator('.ramp-ends').evaluate((ends) => [...ends.children].map((one) => one.getBoundingClientRect().toJSON()));
+  await page.locator('.layers .ramp-ends', { hasText: '≥ 4' }).waitFor();
+  const boxes = await page.locator('.layers .ramp-ends').evaluate((ends) => [...ends.children].map((one) => one.getBoundingClientRect().toJSON()));
   assert.equal(boxes.length, 3);
   for (const end of [boxes[0], boxes[2]]) assert.ok(end.height < 24, `${end.height} px`);
   assert.ok(Math.max(...boxes.map(({ top }) => top)) - Math.min(...boxes.map(({ top }) => top)) < 1);

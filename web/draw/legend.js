@@ -9,11 +9,12 @@ import { markOf } from './marks.js';
 import { rangeOf } from './sampler.js';
 
 /**
- * @typedef {{kind: 'ramp', ramp: Ramp, low: string, high: string, of: string}
+ * `key`: what it means in few words, where a look at the picture does not tell.
+ * @typedef {{key?: string} & ({kind: 'ramp', ramp: Ramp, low: string, high: string, of: string}
  *   | {kind: 'line', colour: string, width: number, text: string}
  *   | {kind: 'area', colour: string, text: string}
  *   | {kind: 'mark', shape: Shape, colour: string, hollow: boolean, text: string}
- *   | {kind: 'text', text: string}} LegendItem
+ *   | {kind: 'text', text: string})} LegendItem
  */
 
 /** Three digits. @param {number} x */
@@ -59,7 +60,7 @@ const legends = {
   crosses({ frame, palette }) {
     const crosses = frame?.crosses;
     if (!crosses?.points.length) return null;
-    return [line(palette.accent, 1.25, 'directions of the sides'), ...singularities(crosses.indices, palette)];
+    return [directions(palette), ...singularities(crosses.indices, palette)];
   },
   sizes({ frame, palette }) {
     if (!frame?.sizes?.sizes.length) return null;
@@ -102,8 +103,8 @@ function matchingLegend({ frame, palette }) {
   const alone = matching.mates.filter((mate) => mate < 0).length;
   /** @type {LegendItem[]} */
   const items = [
-    ramped(palette.ramps.costs, short(low / 1e4), short(high / 1e4), 'cost of a pair'),
-    { kind: 'area', colour: palette.valence[-1], text: `${counted(extra, 'pair')} joined by an extra edge` },
+    { ...ramped(palette.ramps.costs, short(low / 1e4), short(high / 1e4), 'cost of a pair'), key: 'Cost of a pair' },
+    { kind: 'area', colour: palette.valence[-1], text: `${counted(extra, 'pair')} joined by an extra edge`, key: extra > 0 ? 'joined by an extra edge' : undefined },
   ];
   if (alone > 0) items.push(words(`${counted(alone, 'triangle')} left over`));
   return items;
@@ -120,10 +121,13 @@ function valenceLegend({ frame, palette }) {
     const count = ofKind(excess), along = ofKind(excess.subarray(0, boundaryNodes));
     const { shape, colour, text } = markOf(palette, kind);
     const where = along === 0 ? '' : `, ${along === count ? 'all' : along.toLocaleString('en')} on the boundary`;
-    if (count > 0) items.push({ kind: 'mark', shape, colour, hollow: false, text: `${count.toLocaleString('en')} with ${text}${where}` });
+    if (count > 0) items.push({ kind: 'mark', shape, colour, hollow: false, text: `${count.toLocaleString('en')} with ${text}${where}`, key: text });
   }
   return items;
 }
+
+/** @param {Palette} palette  @returns {LegendItem} */
+export const directions = ({ accent }) => ({ ...line(accent, 1.25, 'directions of the sides'), key: 'directions of the sides' });
 
 /** @param {Int32Array} indices  @param {Palette} palette  @returns {LegendItem[]} */
 export function singularities(indices, palette) {
@@ -131,7 +135,8 @@ export function singularities(indices, palette) {
     const count = indices.filter((index) => Math.sign(index) === sign).length;
     const { shape, colour } = markOf(palette, -sign);
     const many = counted(count, 'singularity', 'singularities');
+    const key = `${sign > 0 ? 'three' : 'five'} quads will meet`;
     const text = `${many} ${sign > 0 ? '+1: three' : '−1: five'} quads meet`;
-    return count > 0 ? [{ kind: /** @type {const} */ ('mark'), shape, colour, hollow: true, text }] : [];
+    return count > 0 ? [{ kind: /** @type {const} */ ('mark'), shape, colour, hollow: true, text, key }] : [];
   });
 }

@@ -5,6 +5,7 @@ import { createSideChoice } from '../compare/sides.js';
 import { legendOf } from '../draw/legend.js';
 import { h } from '../panels/dom.js';
 import { atNextPicture } from '../panels/next_picture.js';
+import { createKey } from './key.js';
 import { showLegend } from './legend.js';
 import { inOrder, layerNames } from './names.js';
 
@@ -46,9 +47,12 @@ export function installLayers(app) {
           actions.button(`layer.${name}`, { title: what }), h('kbd', { 'aria-hidden': 'true' }, key)),
         legend))));
 
+  const showKey = createKey(app.stage.overlay);
   const refresh = atNextPicture(() => {
     const now = sides.chosen.scene();
-    for (const { name, legend } of rows) showLegend(legend, now.layers.has(name) ? legendOf(name, now) : []);
+    const shown = rows.map((row) => ({ ...row, items: now.layers.has(row.name) ? legendOf(row.name, now) : [] }));
+    for (const { legend, items } of shown) showLegend(legend, items);
+    showKey(shown);
   });
   store.subscribe(refresh);
   runner.subscribe(refresh);

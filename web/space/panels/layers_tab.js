@@ -3,10 +3,11 @@
 /** @import { SpaceApp, SpaceLayer, SurfaceRun } from '../types' */
 /** @import { Palette } from '../../types' */
 import { highestDensity } from '../../draw/layers/cells.js';
-import { short, singularities } from '../../draw/legend.js';
+import { directions, short, singularities } from '../../draw/legend.js';
 import { markOf } from '../../draw/marks.js';
 import { once } from '../../draw/once.js';
 import { dark, light } from '../../draw/palette.js';
+import { createKey } from '../../layers/key.js';
 import { showLegend } from '../../layers/legend.js';
 import { h } from '../../panels/dom.js';
 import { counted } from '../../run/words.js';
@@ -31,13 +32,16 @@ export function installLayersTab(app) {
     h('div', { className: 'layers-head buttons' }, actions.button('layer.auto', { labelled: true })),
     h('ul', { className: 'layers' }, ...rows.map(({ name, legend, key, what }) => h('li', null,
       h('div', { className: 'layer' }, actions.button(`layer.${name}`, { title: what }), h('kbd', { 'aria-hidden': 'true' }, key)), legend))));
+  const showKey = createKey(app.viewer.canvas);
   const refresh = () => {
     const palette = themes.dark ? dark : light;
-    for (const { name, legend } of rows) {
+    showKey(rows.map(({ name, title, legend }) => {
       const shown = app.layers().has(name), gone = name === 'cells' && runner.run.phase === 'done';
-      showLegend(legend, shown || gone ? legends[name](runner.run, palette) : []);
+      const items = shown || gone ? legends[name](runner.run, palette) : [];
+      showLegend(legend, items);
       legend.parentElement?.classList.toggle('quiet', gone);
-    }
+      return { title, items };
+    }));
   };
   store.subscribe(refresh);
   runner.subscribe(refresh);
@@ -57,7 +61,7 @@ const legends = {
     ? [{ kind: 'line', colour: palette.faint, width: 1.5, text: `${counted(new Set(frame.charts.charts).size, 'chart')}; cuts between them` }]
     : notYet),
   crosses: ({ frame }, palette) => (frame.crosses
-    ? [{ kind: 'line', colour: palette.accent, width: 1.25, text: 'directions of the sides' }, ...singularities(frame.crosses.indices, palette)]
+    ? [directions(palette), ...singularities(frame.crosses.indices, palette)]
     : notYet),
   cells: ({ frame }, palette) => (frame.cells
     ? [{ kind: 'ramp', ramp: palette.ramps.density, low: '1', high: `≥ ${highestDensity}`, of: 'energy per area; a square has 1' }]
@@ -76,7 +80,7 @@ const legends = {
 /** @param {NonNullable<SurfaceRun['frame']['quads']>} quads  @param {Palette} palette  @returns {LegendItem[]} */
 const marksOf = (quads, palette) => [...irregularVertices(quads)].sort(([a], [b]) => a - b).map(([excess, vertices]) => {
   const { shape, colour, text } = markOf(palette, excess);
-  return { kind: 'mark', shape, colour, hollow: false, text: `${vertices.length} with ${text}` };
+  return { kind: 'mark', shape, colour, hollow: false, text: `${vertices.length} with ${text}`, key: text };
 });
 
 /** The figures count these too. @param {NonNullable<SurfaceRun['frame']['quads']>} quads  @returns {LegendItem[]} */
