@@ -4,6 +4,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { offline } from './offline/plugin.js';
 import { assetName, occtNotice } from './space/cad/notice.js';
+import { surfacePictures } from './space/presets/pictures.js';
 import { onlyWhatIsUsedOfThree } from './space/view/three_plugin.js';
 
 const here = (/** @type {string} */ path) => fileURLToPath(new URL(path, import.meta.url));
@@ -25,7 +26,7 @@ export default defineConfig({
     // The package as its users get it.
     alias: [{ find: /^lpquad\/worker$/, replacement: here('../dist/worker.js') }, { find: /^lpquad\/(.*)$/, replacement: here('../dist/$1') }],
   },
-  plugins: [onlyWhatIsUsedOfThree(), thirdParty(), occtNotice(), offline()],
+  plugins: [onlyWhatIsUsedOfThree(), thirdParty(), occtNotice(), surfacePictures(), offline()],
   // lpquad/cad looks for the package where none is handed in; the page hands in its own.
   worker: { format: 'es', rollupOptions: { external: ['occt-import-js'] } },
   build: { outDir: here('../build/web'), emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0, modulePreload: false,

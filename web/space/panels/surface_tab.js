@@ -20,7 +20,7 @@ export function installSurfaceTab(app) {
   const begin = h('section', { 'aria-label': 'Surfaces to begin with' }, h('h2', null, 'To begin with'),
     h('ul', { className: 'space-presets' }, ...presets.map(({ id, title, about }) => {
       const button = actions.button(`preset.${id}`);
-      button.replaceChildren(h('strong', null, title), h('span', { className: 'quiet' }, about));
+      button.replaceChildren(h('img', { src: `surfaces/${id}.png`, alt: '' }), h('strong', null, title), h('span', { className: 'quiet' }, about));
       return h('li', null, button);
     })));
   app.tabs.add('surface', 'Surface',
