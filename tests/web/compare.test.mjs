@@ -197,3 +197,20 @@ test('what leaves the page is of the side that is chosen, and says so', async ()
   assert.deepEqual(page.errors, []);
   await page.context().close();
 });
+
+for (const [width, height] of [[360, 740], [1440, 900]])
+  test(`what the colours mean is said beside both meshes: ${width} px`, async () => {
+    const page = await playground.open({ width, height, hash: '#preset=plate&comparison=lp' });
+    await page.locator('#compare canvas').first().waitFor();
+    const key = page.locator('.key', { hasText: 'Quality η' });
+    await key.waitFor();
+    const [inSight, above] = await key.evaluate((element) => {
+      const { left, top, width, height } = element.getBoundingClientRect(), compare = document.querySelector('#compare').getBoundingClientRect();
+      element.style.pointerEvents = 'auto';  // to be found at its place
+      const found = document.elementFromPoint(left + width / 2, top + height / 2);
+      return [top >= compare.top && top + height <= compare.bottom, element.contains(found)];
+    });
+    assert.ok(inSight && above, `in sight ${inSight}, above the meshes ${above}`);
+    assert.deepEqual(page.errors, []);
+    await page.context().close();
+  });

@@ -184,21 +184,24 @@ test('pictures: SVG that an XML parser reads, PNG of the size asked for', async 
   await page.context().close();
 });
 
-for (const [width, height] of [[360, 740], [1440, 900]])
-  test(`what the colours mean is said on the stage, beside the drawing: ${width} px`, async () => {
-    const page = await playground.open({ width, height, hash: '#preset=plate', touch: width < 500 });
+for (const [width, height, preset] of [[360, 740, 'plate'], [360, 740, 'gear'], [844, 390, 'gear'], [1440, 900, 'plate']])
+  test(`what the colours mean is said on the stage, below the drawing: ${preset}, ${width} px`, async () => {
+    const page = await playground.open({ width, height, hash: `#preset=${preset}`, touch: width < 900 });
     await finished(page);
     const key = page.locator('#stage .key');
-    await key.filter({ hasText: /≤ 0.5.*Quality η.*1.*one quad too many/ }).waitFor();
+    await key.filter({ hasText: /≤ 0.5.*Quality η.*1.*1 quad too/ }).waitFor();
     assert.equal(await key.locator('.ramp').count(), 1);
     assert.doesNotMatch(await key.textContent(), /quads,|mean/, 'how many there are is for the panel');
     const box = await key.boundingBox(), stage = await page.locator('#stage').boundingBox();
-    const bottom = (await placeOf(page, 0, 0))[1];
+    const bottom = await page.evaluate(() => {
+      const { view, overlay } = globalThis.playground.stage, { loops } = globalThis.playground.store.project.drawing.regions[0];
+      return overlay.getBoundingClientRect().top + (view.top - Math.min(...loops.flat().map(([, y]) => y))) * view.scale;
+    });
     assert.ok(box.y >= bottom && box.y + box.height <= stage.y + stage.height, `${JSON.stringify(box)} over the drawing, which ends at ${bottom}`);
     await page.keyboard.press('9');  // quality off
     await key.filter({ hasNotText: 'Quality' }).waitFor();
     await page.keyboard.press('5');
-    await key.filter({ hasText: /directions of the sides.*five quads will meet/ }).waitFor();
+    await key.filter({ hasText: preset === 'plate' ? /directions of the sides.*five quads will meet/ : /directions of the sides/ }).waitFor();
     for (const name of ['5', '0']) await page.keyboard.press(name);
     await page.waitForFunction(() => document.querySelector('.key').childElementCount === 0);
     assert.deepEqual(page.errors, []);

@@ -374,12 +374,17 @@ test('a file that cannot be read leaves the drawing and says why', async () => {
   await drop(page, 'broken.json', '{"regions": [{"loops": [[[0,0],[1,');
   const bar = page.locator('.error-bar');
   await bar.getByText('This file cannot be read.').waitFor();
+  const border = () => bar.evaluate((one) => [getComputedStyle(one).borderTopColor, one.getAttribute('aria-label')]);
+  const [red, problem] = await border();
+  assert.equal(problem, 'Problem');
   assert.equal(await bar.getByRole('button', { name: 'Open another file' }).count(), 1);
   assert.equal(await page.evaluate(() => globalThis.playground.store.project.preset), 'plate');
   await bar.getByRole('button', { name: 'Close this message' }).click();
   assert.equal(await bar.isVisible(), false);
   await drop(page, 'open.svg', svg.replace('/></svg>', '/><text>a</text><path d="M1 1L3 3"/></svg>'));
   await bar.getByText('was opened, with changes').waitFor();
+  assert.notDeepEqual((await border())[0], red, 'what was opened is no failure');
+  assert.equal((await border())[1], 'What is not as in the file');
   await close(page);
 });
 

@@ -119,9 +119,9 @@ function valenceLegend({ frame, palette }) {
   for (const kind of [-2, -1, 1, 2]) {
     const ofKind = (/** @type {Int32Array | Int8Array} */ some) => some.filter((e) => Math.max(-2, Math.min(2, e)) === kind).length;
     const count = ofKind(excess), along = ofKind(excess.subarray(0, boundaryNodes));
-    const { shape, colour, text } = markOf(palette, kind);
+    const { shape, colour, text, key } = markOf(palette, kind);
     const where = along === 0 ? '' : `, ${along === count ? 'all' : along.toLocaleString('en')} on the boundary`;
-    if (count > 0) items.push({ kind: 'mark', shape, colour, hollow: false, text: `${count.toLocaleString('en')} with ${text}${where}`, key: text });
+    if (count > 0) items.push({ kind: 'mark', shape, colour, hollow: false, text: `${count.toLocaleString('en')} with ${text}${where}`, key });
   }
   return items;
 }

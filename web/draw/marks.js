@@ -4,12 +4,12 @@ import { packedOf } from './palette.js';
 
 /** @typedef {'diamond' | 'triangle' | 'pentagon' | 'star'} Shape */
 
-/** @type {Record<number, {shape: Shape, text: string}>} */
+/** @type {Record<number, {shape: Shape, text: string, key: string}>} */
 const byExcess = {
-  [-2]: { shape: 'diamond', text: 'two or more quads too few' },
-  [-1]: { shape: 'triangle', text: 'one quad too few' },
-  1: { shape: 'pentagon', text: 'one quad too many' },
-  2: { shape: 'star', text: 'two or more quads too many' },
+  [-2]: { shape: 'diamond', text: 'two or more quads too few', key: '2 or more too few' },
+  [-1]: { shape: 'triangle', text: 'one quad too few', key: '1 quad too few' },
+  1: { shape: 'pentagon', text: 'one quad too many', key: '1 quad too many' },
+  2: { shape: 'star', text: 'two or more quads too many', key: '2 or more too many' },
 };
 
 /** @param {Palette} palette  @param {number} excess  quads too many */

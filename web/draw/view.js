@@ -34,13 +34,13 @@ export function boundsOf(drawing) {
 }
 
 /** The view of a size that shows all of the drawing. @param {Drawing} drawing @returns {View} */
-export function fit(drawing, /** @type {number} */ width, /** @type {number} */ height, margin = 24) {
+export function fit(drawing, /** @type {number} */ width, /** @type {number} */ height, margin = 24, below = margin) {
   const { left, bottom, right, top } = boundsOf(drawing);
   const across = Math.max(right - left, 1e-300), along = Math.max(top - bottom, 1e-300);
-  const scale = Math.min(Math.max(1, width - 2 * margin) / across, Math.max(1, height - 2 * margin) / along);
+  const scale = Math.min(Math.max(1, width - 2 * margin) / across, Math.max(1, height - margin - below) / along);
   return {
     scale, width, height,
     left: (left + right - width / scale) / 2,
-    top: (bottom + top + height / scale) / 2,
+    top: (bottom + top + (height + margin - below) / scale) / 2,
   };
 }

@@ -16,8 +16,8 @@ import { diagonalOf } from './model/drawing.js';
 /** A message of the page's own: a file that was not read, what was left out of one.
  * @typedef {{title: string, details: string, problem?: Problem, refused?: boolean}} Notice  refused: another file may do */
 
-/** Nobody did wrong. */
-const neutral = ['EMPTY', 'CANCELLED'];
+/** Where nobody did wrong: what the bar is instead of a problem. @type {Record<string, string>} */
+const neutral = { EMPTY: 'What to do', CANCELLED: 'What to do', OPENED: 'What is not as in the file' };
 
 export class ErrorBar {
   #app;
@@ -80,8 +80,9 @@ export class ErrorBar {
     }
     setText(this.#title, shown.title);
     setText(this.#details, shown.problem?.code === 'EMPTY' ? 'Click the corners of an outline here, or open a file.' : shown.details);
-    this.#bar.dataset.code = shown.problem?.code ?? '';
-    this.#bar.ariaLabel = neutral.includes(this.#bar.dataset.code) ? 'What to do' : 'Problem';
+    const code = shown.problem?.code ?? (shown.refused ? '' : 'OPENED');
+    this.#bar.dataset.code = code;
+    this.#bar.ariaLabel = neutral[code] ?? 'Problem';
     const key = [shown.problem ?? this.#notice, store.project, store.gesture];
     if (key.every((value, i) => value === this.#builtFor[i])) return;
     this.#builtFor = key;

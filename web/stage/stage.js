@@ -21,6 +21,10 @@ import { Painter } from './painter.js';
 /** Across and down. @type {Record<string, [number, number]>} */
 const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
+const margin = 24;
+/** Room for the key of the colours: where it is narrow, that takes two lines. @param {number} width */
+const below = (width) => (width < 500 ? 40 : margin);
+
 const tapReach = 4;  // pixels that a finger may move in a tap
 
 /** @param {Point} a  @param {Point} b */
@@ -88,7 +92,7 @@ export class Stage {
       canvas.width = Math.round(width * devicePixelRatio);
       canvas.height = Math.round(height * devicePixelRatio);
     }
-    if (first || this.#fitted) this.view = fit(this.scene().drawing, width, height);
+    if (first || this.#fitted) this.view = fit(this.scene().drawing, width, height, margin, below(width));
     else this.view = { ...pan(this.view, (width - this.view.width) / 2, (height - this.view.height) / 2), width, height };
     this.#dirty = { mesh: true, overlay: true };
     this.#paint();  // at once: a canvas that changed its size is empty
@@ -96,7 +100,8 @@ export class Stage {
 
   /** Shows all of the drawing. */
   fit() {
-    this.look(fit(this.scene().drawing, this.view.width, this.view.height));
+    const { width, height } = this.view;
+    this.look(fit(this.scene().drawing, width, height, margin, below(width)));
     this.#fitted = true;
   }
 

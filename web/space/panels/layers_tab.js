@@ -79,8 +79,8 @@ const legends = {
 
 /** @param {NonNullable<SurfaceRun['frame']['quads']>} quads  @param {Palette} palette  @returns {LegendItem[]} */
 const marksOf = (quads, palette) => [...irregularVertices(quads)].sort(([a], [b]) => a - b).map(([excess, vertices]) => {
-  const { shape, colour, text } = markOf(palette, excess);
-  return { kind: 'mark', shape, colour, hollow: false, text: `${vertices.length} with ${text}`, key: text };
+  const { shape, colour, text, key } = markOf(palette, excess);
+  return { kind: 'mark', shape, colour, hollow: false, text: `${vertices.length} with ${text}`, key };
 });
 
 /** The figures count these too. @param {NonNullable<SurfaceRun['frame']['quads']>} quads  @returns {LegendItem[]} */
