@@ -7,6 +7,7 @@ namespace lpq {
 namespace {
 
 constexpr double narrow = 1.5;  // mesh sizes; wider ones have room for irregular vertices
+constexpr double longer = 2;    // the outer border, at most: else there is room beside the hole
 
 /// Mean width in mesh sizes: the area over the length of the line in its middle.
 double width(const FaceBorder& outer, const FaceBorder& inner, double area) {
@@ -39,6 +40,7 @@ std::optional<NarrowBand> narrow_band(std::span<const FaceBorder* const> borders
   const bool in_order = borders[0]->turns > 0;
   const FaceBorder &outer = *borders[in_order ? 0 : 1], &inner = *borders[in_order ? 1 : 0];
   if (outer.turns != right_angles_round || inner.turns != -right_angles_round) return std::nullopt;
+  if (outer.length > longer * inner.length) return std::nullopt;
   const double across = width(outer, inner, area);
   if (!(across < narrow)) return std::nullopt;
   return NarrowBand{.outer = &outer,
