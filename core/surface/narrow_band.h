@@ -16,7 +16,9 @@ struct NarrowBand {
   Index shift = 0;  // what runs in direction k outside, in 0 .. 3, runs in k + shift inside
 };
 
-/// Of all borders of one face with that area; none if it is no such face.
+/// Of all borders of one face and its area, in squares of their unit of length. None if they are
+/// not an outline and one hole that turn by four right angles each, or further apart than 1.5 mesh
+/// sizes (mean), or if the outline is more than twice as long as the hole's border. Cost O(sides).
 std::optional<NarrowBand> narrow_band(std::span<const FaceBorder* const> borders, double area);
 
 }  // namespace lpq
